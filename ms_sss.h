@@ -337,15 +337,17 @@ MS_API double ms_sss_elevation(double reflectance, double index);
 #define MS_SSS_DENSE (-1)   /* as tap_count: a tap every pixel of the design radius */
 
 /* A separable kernel, ready to be applied: out = delta E + sum_t scale_t (E * w_t along x) * w_t along y.
-   Normalized: delta + sum_t scale_t (sum_i w_ti)^2 = 1 in every channel, at most 1 for MS_SSS_SVD. */
+   Entry 0 of a pass is the tap at the center, entry i a pair of taps at -offset_mm[i] and +offset_mm[i] that have the
+   same weight. Normalized: delta + sum_t scale_t (w_t0 + 2 sum_i w_ti)^2 = 1 in every channel, at most 1 for
+   MS_SSS_SVD. */
 typedef struct ms_sss_kernel {
-    int tap_count;  /* odd; entry 0 is the center (offset 0), then pairs -x, +x by growing |x| */
-    int term_count; /* 1 except for SVD, sums of Gaussians, residuals */
-    float offset_mm[MS_SSS_TAPS_MAX];
-    float weight[MS_SSS_TERMS_MAX][MS_SSS_TAPS_MAX][3]; /* of one 1D pass, applied along x, then along y */
+    int tap_count;                            /* of a pass, odd: the center and tap_count / 2 pairs */
+    int term_count;                           /* 1 except for SVD, sums of Gaussians, residuals */
+    float offset_mm[MS_SSS_TAPS_MAX / 2 + 1]; /* 0, then growing */
+    float weight[MS_SSS_TERMS_MAX][MS_SSS_TAPS_MAX / 2 + 1][3];
     float scale[MS_SSS_TERMS_MAX][3]; /* factor of each term after both passes (sign of a singular value) */
     float delta[3];                   /* weight of the unblurred input */
-    float radius_mm;                  /* the outermost |offset| plus half its cell */
+    float radius_mm;                  /* the outermost offset plus half its cell */
     float reflectance[3];             /* the profile's total; the kernel itself is normalized */
     float profile_radius_mm;          /* radius of 99% of the light of the widest channel; 0: radius_mm */
     float elevation[3];               /* K of ms_sss_elevation; 0: no elevation */
@@ -434,7 +436,7 @@ typedef struct ms_sss_errors {
 
 /* Taps between pixels are read with linear interpolation, as the filter and GPUs do. Takes 60 KB from the designer's
    allocator and gives them back. MS_INVALID_ARGUMENT: a NULL, a kernel that ms_sss_filter refuses, an offset beyond 1e6
-   cells of the designer. MS_UNSUPPORTED: taps that are no pairs. MS_OUT_OF_MEMORY. errors untouched then. */
+   cells of the designer. MS_OUT_OF_MEMORY. errors untouched then. */
 MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
                                        const ms_sss_designer *designer);
 
@@ -542,8 +544,8 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
    profiles. The effect fades from kernels with a radius of a pixel to those of half a pixel, from where on pixels keep
    their bits. Results are bit-equal for any thread count at one SIMD level, across levels within 2e-6 of the largest
    input.
-   MS_INVALID_ARGUMENT: a pointer, size, stride or option out of range. MS_UNSUPPORTED: taps that are no pairs.
-   MS_OUT_OF_MEMORY: only without a workspace. Nothing is written then. Thesis 5.5, 5.10. */
+   MS_INVALID_ARGUMENT: a pointer, size, stride, option or kernel out of range. MS_OUT_OF_MEMORY: only without a
+   workspace. Nothing is written then. Thesis 5.5, 5.10. */
 MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
                                const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                ms_error *error);
@@ -633,15 +635,13 @@ MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader);
 MS_API int ms_sss_shader_levels(int width, int height);
 
 /* The values of the constants; made again when picture, camera, kernels, options or `origin` change, not every frame.
-   kernels         [profile_count, at least 1], taps in pairs -x, +x; one with fewer terms than another adds nothing;
-                   a pyramid: NULL
+   kernels         [profile_count, at least 1]; one with fewer terms than another adds nothing; a pyramid: NULL
    index           of the term, the same for X and Y; UP: 0, all are read; a pyramid: of the profile
    options         camera, units and depth, as of ms_sss_filter; without depth flat must be 1
    width, height   of the viewport; options->center is that of its projection
    out             [ms_sss_shader_constant_count()][4]; untouched where the call fails
-   MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: taps that are no pairs; a pyramid with rotation or unequal
-   pixels_per_mm; with `nearest` a kernel that shows stairs there, from 8 pixels on with 7 taps, 16 with 11, 47 with 17,
-   150 with 25. */
+   MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: a pyramid with rotation or unequal pixels_per_mm; with
+   `nearest` a kernel that shows stairs there, from 8 pixels on with 7 taps, 16 with 11, 47 with 17, 150 with 25. */
 MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int index, const ms_sss_filter_options *options,
                                          int width, int height, const ms_sss_shader *shader, float (*out)[4],
                                          ms_error *error);
@@ -910,23 +910,6 @@ static int ms_sss__differ(float a, float b) { return !(a == b); }
 
 static int ms_sss__positive(float x) { return ms__finite_f(x) && x > 0; }
 
-/* Taps must come in pairs at -x and +x with equal weights. */
-static MS_SSS__COLD ms_status ms_sss__check_pairs(const ms_sss_kernel *k, int index, ms_error *error)
-{
-    int i, c, t;
-    for (i = 1; i < k->tap_count; i += 2) {
-        int paired = !ms_sss__differ(k->offset_mm[i], -k->offset_mm[i + 1]);
-        for (t = 0; t < k->term_count; ++t)
-            for (c = 0; c < 3; ++c)
-                if (ms_sss__differ(k->weight[t][i][c], k->weight[t][i + 1][c])) paired = 0;
-        if (!paired)
-            return ms__fail(error, MS_UNSUPPORTED, (size_t)index,
-                            "kernel %d: taps %d and %d are no pair; offsets -x and x and equal weights expected", index,
-                            i, i + 1);
-    }
-    return MS_OK;
-}
-
 static MS_SSS__COLD ms_status ms_sss__check_kernel(const ms_sss_kernel *k, int index, ms_error *error)
 {
     int i, c, t;
@@ -940,22 +923,22 @@ static MS_SSS__COLD ms_status ms_sss__check_kernel(const ms_sss_kernel *k, int i
     if (!ms_sss__positive(k->radius_mm))
         return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: radius_mm %g is not positive", index,
                         (double)k->radius_mm);
-    for (i = 0; i < k->tap_count; ++i) {
-        if (!ms__finite_f(k->offset_mm[i]) || (i == 0 && ms_sss__differ(k->offset_mm[0], 0)))
+    for (i = 0; i <= k->tap_count / 2; ++i) {
+        if (!ms__finite_f(k->offset_mm[i]) || k->offset_mm[i] < 0 || (i == 0 && k->offset_mm[0] > 0))
             return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                            "kernel %d: offset_mm[%d] is %g; entry 0 must be 0, all finite", index, i,
+                            "kernel %d: offset_mm[%d] is %g; entry 0 must be 0, all finite and none below 0", index, i,
                             (double)k->offset_mm[i]);
         for (t = 0; t < k->term_count; ++t)
             for (c = 0; c < 3; ++c)
                 if (!ms__finite_f(k->weight[t][i][c]) || !ms__finite_f(k->scale[t][c]) || !ms__finite_f(k->delta[c]))
                     return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                                    "kernel %d: term %d, tap %d, channel %d is not finite", index, t, i, c);
+                                    "kernel %d: term %d, entry %d, channel %d is not finite", index, t, i, c);
     }
     for (c = 0; c < 3; ++c)
         if (!(fabsf(k->elevation[c]) <= 1e6f && fabsf(k->elevation_axis[c]) <= 1e6f))
             return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
                             "kernel %d: elevation[%d] or elevation_axis[%d] is beyond 1e6", index, c, c);
-    return ms_sss__check_pairs(k, index, error);
+    return MS_OK;
 }
 
 /* ---- translucency code ------------------------------------------------------------------------------------------ */
@@ -2754,8 +2737,8 @@ static void ms_sss__totals(const ms_sss_kernel *k, int term, float total[3], int
     for (c = 0; c < 3; ++c) {
         double sum = 0;
         mixed[c] = 0;
-        for (i = 0; i < k->tap_count; ++i) {
-            sum += (double)k->weight[term][i][c];
+        for (i = 0; i <= k->tap_count / 2; ++i) {
+            sum += (i ? 2 : 1) * (double)k->weight[term][i][c];
             if (k->weight[term][i][c] < 0) mixed[c] = 1;
         }
         total[c] = fabs(sum - 1) < 1e-5 && !ms_sss__differ(k->delta[c], 0) ? 1.0f : (float)sum;
@@ -2776,14 +2759,14 @@ static void ms_sss__set_term(ms_sss__pass *p, const ms_sss__view *v, const ms_ss
         p->scale[c] = k->scale[term][c];
         p->delta[c] = term + 1 == k->term_count ? k->delta[c] : 0;
     }
-    for (i = 0; i < p->pair_count; ++i) {
-        const float mm = fabsf(k->offset_mm[2 * i + 1]);
-        ms_sss__pair *pair = &p->pair[i];
+    for (i = 1; i <= p->pair_count; ++i) {
+        const float mm = k->offset_mm[i];
+        ms_sss__pair *pair = &p->pair[i - 1];
         pair->per_mm = mm > 1e-20f ? 1 / mm : 0;
         pair->dz_falloff = ms_sss__dz_falloff(p, mm);
         pair->area_scale = ms_sss__pair_area_scale(p, mm, &inner);
-        ms_sss__follow_outer(pair, mm, i + 1 < p->pair_count ? fabsf(k->offset_mm[2 * i + 3]) : 0, k->radius_mm);
-        for (c = 0; c < 3; ++c) pair->weight[c] = k->weight[term][2 * i + 1][c];
+        ms_sss__follow_outer(pair, mm, i < p->pair_count ? k->offset_mm[i + 1] : 0, k->radius_mm);
+        for (c = 0; c < 3; ++c) pair->weight[c] = k->weight[term][i][c];
         for (c = 0; c < 2; ++c) {
             const float reach = p->pixels_per_mm * (pair->offset[c] = mm * v->aspect[c]);
             const int pixels = reach < (float)MS_SSS__FAR ? (int)reach + 2 : (int)MS_SSS__FAR;
@@ -4123,14 +4106,14 @@ static MS_SSS__COLD void ms_sss__kernel_constants(const ms_sss_kernel *k, int wa
         at[2][c] = has ? k->delta[c] : 0;
         at[3][c] = p->elevation_4[c];
         at[4][c] = p->root_r[c];
-        for (i = 0; i < k->tap_count; i += 2) at[MS_SSS__PROFILE_HEAD + i / 2][c] = k->weight[term][i][c];
+        for (i = 0; i <= k->tap_count / 2; ++i) at[MS_SSS__PROFILE_HEAD + i][c] = k->weight[term][i][c];
     }
     at[0][3] = k->radius_mm;
     at[1][3] = p->depth_scale;
     at[2][3] = p->average_dz * p->average_dz;
     at[3][3] = (float)(p->mixed[0] + 2 * p->mixed[1] + 4 * p->mixed[2]);
     at[4][3] = p->edge_dz2;
-    for (i = 0; i < k->tap_count; i += 2) at[MS_SSS__PROFILE_HEAD + i / 2][3] = k->offset_mm[i];
+    for (i = 0; i <= k->tap_count / 2; ++i) at[MS_SSS__PROFILE_HEAD + i][3] = k->offset_mm[i];
 }
 
 MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int index,
@@ -5095,12 +5078,11 @@ static void ms_sss__kernel_curve(const ms_sss_designer *d, const ms_sss_kernel *
     v->pairs = kernel->tap_count / 2;
     v->terms = kernel->term_count;
     for (i = 0; i <= v->pairs; ++i) {
-        int tap = 2 * i;
         v->times[i] = i ? 2 : 1;
-        v->offset[i] = fabs((double)kernel->offset_mm[tap]) / d->cell_mm;
+        v->offset[i] = (double)kernel->offset_mm[i] / d->cell_mm;
         if (fabs(v->offset[i] - floor(v->offset[i] + 0.5)) < 1e-4) v->offset[i] = floor(v->offset[i] + 0.5); /* float */
         for (t = 0; t < v->terms; ++t)
-            for (c = 0; c < 3; ++c) v->weight[c][t][i] = (double)kernel->weight[t][tap][c];
+            for (c = 0; c < 3; ++c) v->weight[c][t][i] = (double)kernel->weight[t][i][c];
     }
     for (c = 0; c < 3; ++c) {
         for (t = 0; t < v->terms; ++t) v->sign[c][t] = (double)kernel->scale[t][c];
@@ -5186,8 +5168,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const
     int i;
     if (errors == NULL || kernel == NULL || designer == NULL) return MS_INVALID_ARGUMENT;
     if ((status = ms_sss__check_kernel(kernel, 0, NULL)) != MS_OK) return status;
-    for (i = 0; i < kernel->tap_count; ++i)
-        if (fabs((double)kernel->offset_mm[i]) > 1e6 * designer->cell_mm) return MS_INVALID_ARGUMENT;
+    for (i = 0; i <= kernel->tap_count / 2; ++i)
+        if ((double)kernel->offset_mm[i] > 1e6 * designer->cell_mm) return MS_INVALID_ARGUMENT;
     m = (ms_sss__measurement *)ms__alloc(&designer->allocator, sizeof *m);
     if (m == NULL) return MS_OUT_OF_MEMORY;
     ms_sss__measure(errors, kernel, designer, m);
@@ -5967,7 +5949,7 @@ static void ms_sss__place_quadratic(const ms_sss_designer *d, const ms_sss__curv
 static MS_SSS__COLD void ms_sss__store_kernel(const ms_sss_designer *d, const ms_sss__curve *v, double index,
                                               ms_sss_kernel *kernel)
 {
-    int order[MS_SSS__CELLS_MAX + 1], n, i, t, c, side;
+    int order[MS_SSS__CELLS_MAX + 1], n, i, t, c;
     memset(kernel, 0, sizeof *kernel);
     for (n = 0; n <= v->pairs; ++n) { /* by growing offset */
         for (i = n; i > 1 && v->offset[order[i - 1]] > v->offset[n]; --i) order[i] = order[i - 1];
@@ -5975,13 +5957,11 @@ static MS_SSS__COLD void ms_sss__store_kernel(const ms_sss_designer *d, const ms
     }
     kernel->tap_count = 2 * v->pairs + 1;
     kernel->term_count = v->terms;
-    for (n = 0; n <= v->pairs; ++n)
-        for (side = n ? 0 : 1; side < 2; ++side) {
-            int tap = n ? 2 * n - 1 + side : 0;
-            kernel->offset_mm[tap] = (float)((side ? 1 : -1) * v->offset[order[n]] * d->cell_mm);
-            for (t = 0; t < v->terms; ++t)
-                for (c = 0; c < 3; ++c) kernel->weight[t][tap][c] = (float)v->weight[c][t][order[n]];
-        }
+    for (n = 0; n <= v->pairs; ++n) {
+        kernel->offset_mm[n] = (float)(v->offset[order[n]] * d->cell_mm);
+        for (t = 0; t < v->terms; ++t)
+            for (c = 0; c < 3; ++c) kernel->weight[t][n][c] = (float)v->weight[c][t][order[n]];
+    }
     for (c = 0; c < 3; ++c) {
         double both = 0; /* mean of |x| + |y| */
         for (t = 0; t < v->terms; ++t) {

@@ -392,9 +392,9 @@ static void measured_garbage(void)
         k = good;
         if (i % 4 == 0) k.tap_count = counts[test_random_u64(&seed) % 9];
         if (i % 4 == 1) k.term_count = counts[test_random_u64(&seed) % 9];
-        if (i % 4 == 2) k.offset_mm[1 + test_random_u64(&seed) % 6] = values[test_random_u64(&seed) % 6];
+        if (i % 4 == 2) k.offset_mm[1 + test_random_u64(&seed) % 3] = values[test_random_u64(&seed) % 6];
         if (i % 4 == 3)
-            k.weight[0][1 + test_random_u64(&seed) % 6][test_random_u64(&seed) % 3] =
+            k.weight[0][1 + test_random_u64(&seed) % 3][test_random_u64(&seed) % 3] =
                 values[test_random_u64(&seed) % 6];
         e.texture = -7;
         status = ms_sss_kernel_measure(&e, &k, d);
@@ -402,9 +402,6 @@ static void measured_garbage(void)
         CHECK(status == MS_OK ? e.texture >= 0 : e.texture < -6);
     }
     CHECK(refused > 140); /* all but those whose tap_count 257 or 40 terms happen to be valid */
-    k = good;
-    for (i = 1; i < k.tap_count; i += 2) k.weight[0][i][0] = 0;
-    CHECK_INT(ms_sss_kernel_measure(&e, &k, d), MS_UNSUPPORTED); /* no pairs any more */
     ms_sss_designer_destroy(d);
     ms_sss_profile_destroy(p);
 }
@@ -606,12 +603,12 @@ static void reference_kernels(void)
     double ap = 0, svd = 0, residual = 0, guided = 0, image = 0;
     int c, i, t, g;
     built(&k, d, &o);
-    CHECK_NEAR((double)k.offset_mm[2], 0.170435227406572, 1e-7);
+    CHECK_NEAR((double)k.offset_mm[1], 0.170435227406572, 1e-7);
     CHECK_INT(k.tap_count, 65);
     for (c = 0; c < 3; ++c)
         for (i = 0; i <= 32; ++i)
-            ap = fmax(
-                ap, fabs((double)k.weight[0][2 * i][c] - json_number(&json_get(&channels->child[c], "ap")->child[i])));
+            ap = fmax(ap,
+                      fabs((double)k.weight[0][i][c] - json_number(&json_get(&channels->child[c], "ap")->child[i])));
     CHECK_LE(ap, 1e-7); /* float */
     o = dense_model(MS_SSS_SVD, 6);
     built(&k, d, &o);
@@ -620,7 +617,7 @@ static void reference_kernels(void)
             const json *vec = &json_get(&channels->child[c], "vec")->child[t];
             double lambda = json_number(&json_get(&channels->child[c], "eig")->child[t]);
             for (i = 0; i <= 32; ++i)
-                svd = fmax(svd, fabs((double)k.weight[t][2 * i][c] - sqrt(fabs(lambda)) * json_number(&vec->child[i])));
+                svd = fmax(svd, fabs((double)k.weight[t][i][c] - sqrt(fabs(lambda)) * json_number(&vec->child[i])));
             CHECK_NEAR(k.scale[t][c], lambda > 0 ? 1 : -1, 0);
         }
     CHECK_LE(svd, 1e-6); /* vectors printed with 10 digits, floats */
@@ -629,9 +626,9 @@ static void reference_kernels(void)
     for (c = 0; c < 3; ++c)
         for (t = 0; t < 2; ++t) {
             double norm = 0, sum = 0;
-            for (i = 0; i < k.tap_count; ++i) {
-                norm += (double)k.weight[t + 1][i][c] * (double)k.weight[t + 1][i][c];
-                sum += (double)k.weight[t + 1][i][c];
+            for (i = 0; i <= k.tap_count / 2; ++i) {
+                norm += (i ? 2 : 1) * (double)k.weight[t + 1][i][c] * (double)k.weight[t + 1][i][c];
+                sum += (i ? 2 : 1) * (double)k.weight[t + 1][i][c];
             }
             norm *= (double)k.scale[t + 1][c];
             residual = fmax(residual,
@@ -646,7 +643,7 @@ static void reference_kernels(void)
         for (c = 0; c < 3; ++c)
             for (i = 0; i <= 32; ++i)
                 guided = fmax(guided,
-                              fabs((double)k.weight[0][2 * i][c] -
+                              fabs((double)k.weight[0][i][c] -
                                    json_number(&json_get(&channels->child[c], "guided")->child[g].child[i])));
     }
     CHECK_LE(guided, 0.02); /* where Gamma is tiny the study stopped at its iteration limit */
@@ -654,9 +651,9 @@ static void reference_kernels(void)
     built(&k, d, &o);
     for (c = 0; c < 3; ++c)
         for (i = 0; i <= 32; ++i)
-            image = fmax(image,
-                         fabs((double)k.weight[0][2 * i][c] -
-                              json_number(&json_get(&channels->child[c], "img_rank1")->child[i])));
+            image = fmax(
+                image,
+                fabs((double)k.weight[0][i][c] - json_number(&json_get(&channels->child[c], "img_rank1")->child[i])));
     CHECK_LE(image, 0.01); /* ours knows of the texture's band limit, and is linear between knots */
     TEST_NOTE("largest differences of weights: a_p %.1e, SVD %.1e, residual %.1e, guided %.1e, image-optimal %.1e", ap,
               svd, residual, guided, image);
@@ -781,16 +778,13 @@ static void reference_taps(void)
                 for (c = 0; c < 3; ++c) {
                     k.delta[c] = (float)json_number(&json_get(entry, "wdelta")->child[c]);
                     k.scale[0][c] = 1;
-                    for (i = 0; i < k.tap_count; ++i) {
-                        int pair = (i + 1) / 2;
-                        k.offset_mm[i] = (float)(pair == 0 ? 0
-                                                           : (i % 2 ? -cell : cell) *
-                                                         json_get(entry, "offset_px")->child[pair - 1].number);
+                    for (i = 0; i <= k.tap_count / 2; ++i) {
+                        if (i > 0) k.offset_mm[i] = (float)(cell * json_get(entry, "offset_px")->child[i - 1].number);
                         k.weight[0][i][c] = (float)(sqrt(1 - (double)k.delta[c]) *
-                                                    json_get(entry, "w")->child[c].child[pair].number);
+                                                    json_get(entry, "w")->child[c].child[i].number);
                     }
                 }
-                k.radius_mm = k.offset_mm[k.tap_count - 1];
+                k.radius_mm = k.offset_mm[k.tap_count / 2];
                 CHECK_INT(ms_sss_kernel_measure(&e, &k, d), MS_OK);
                 steps = fmax(steps, fabs(e.vertical_step / json_number(&json_get(all, "vstep")->child[0]) - 1));
                 steps = fmax(steps, fabs(e.diagonal_step / json_number(&json_get(all, "dstep")->child[0]) - 1));
@@ -874,8 +868,8 @@ static void filter_plain(const ms_sss_kernel *k, double cell, const double *in, 
             for (x = 0; x < SIDE; ++x) {
                 double sum = 0;
                 for (i = 0; i < k->tap_count; ++i) {
-                    double o = (double)k->offset_mm[i] / cell;
-                    sum += (double)k->weight[t][i][c] * at_linear(in, x + o * cos(turn), y + o * sin(turn));
+                    double o = (i % 2 ? -1 : 1) * (double)k->offset_mm[(i + 1) / 2] / cell;
+                    sum += (double)k->weight[t][(i + 1) / 2][c] * at_linear(in, x + o * cos(turn), y + o * sin(turn));
                 }
                 pass[y * SIDE + x] = sum;
             }
@@ -883,8 +877,8 @@ static void filter_plain(const ms_sss_kernel *k, double cell, const double *in, 
             for (x = 0; x < SIDE; ++x) {
                 double sum = 0;
                 for (i = 0; i < k->tap_count; ++i) {
-                    double o = (double)k->offset_mm[i] / cell;
-                    sum += (double)k->weight[t][i][c] * at_linear(pass, x - o * sin(turn), y + o * cos(turn));
+                    double o = (i % 2 ? -1 : 1) * (double)k->offset_mm[(i + 1) / 2] / cell;
+                    sum += (double)k->weight[t][(i + 1) / 2][c] * at_linear(pass, x - o * sin(turn), y + o * cos(turn));
                 }
                 out[y * SIDE + x] += (double)k->scale[t][c] * sum;
             }
@@ -931,7 +925,7 @@ static void separable_signals(void)
     }
     for (i = 0; i < SIDE * SIDE; ++i) in[i] = e1[i % SIDE] + e2[i / SIDE];
     built(&k, d, &o);
-    cell = (double)k.offset_mm[2];
+    cell = (double)k.offset_mm[1];
     for (c = 0; c < 3; ++c) {
         convolve_plain(p, cell, 10, in, c, right);
         filter_plain(&k, cell, in, c, 0, ours);
@@ -967,7 +961,7 @@ static void measured_errors(void)
     d = designer_for(p, 10);
     o[0] = dense_model(MS_SSS_PREINTEGRATED, 1);
     built(&k, d, &o[0]);
-    cell = (double)k.offset_mm[2];
+    cell = (double)k.offset_mm[1];
     o[0] = ms_sss_kernel_defaults();
     o[1] = o[0];
     o[1].model = MS_SSS_RESIDUAL;
@@ -1003,7 +997,7 @@ static void check_kernel(const ms_sss_kernel *k, ms_sss_model model, const char 
         double energy = (double)k->delta[c];
         for (t = 0; t < k->term_count; ++t) {
             double sum = 0;
-            for (i = 0; i < k->tap_count; ++i) sum += (double)k->weight[t][i][c];
+            for (i = 0; i <= k->tap_count / 2; ++i) sum += (i ? 2 : 1) * (double)k->weight[t][i][c];
             energy += (double)k->scale[t][c] * sum * sum;
         }
         if (!(fabs(energy - 1) < 1e-6) && !(model == MS_SSS_SVD && energy < 1)) /* float weights */
@@ -1011,14 +1005,9 @@ static void check_kernel(const ms_sss_kernel *k, ms_sss_model model, const char 
         if (k->delta[c] < 0 || !(k->delta[c] <= 1)) TEST_FAIL("%s: delta %g", what, (double)k->delta[c]);
     }
     if (k->tap_count % 2 == 0 || k->offset_mm[0] != 0) TEST_FAIL("%s: no center", what);
-    for (i = 1; i < k->tap_count; i += 2) {
-        if (k->offset_mm[i] != -k->offset_mm[i + 1] || !(k->offset_mm[i + 1] > 0)) TEST_FAIL("%s: pair %d", what, i);
-        if (i > 1 && k->offset_mm[i + 1] < k->offset_mm[i - 1]) TEST_FAIL("%s: order of %d", what, i);
-        for (t = 0; t < k->term_count; ++t)
-            for (c = 0; c < 3; ++c)
-                if (k->weight[t][i][c] != k->weight[t][i + 1][c]) TEST_FAIL("%s: not symmetric", what);
-    }
-    if (!(k->radius_mm >= k->offset_mm[k->tap_count - 1])) TEST_FAIL("%s: radius %g", what, (double)k->radius_mm);
+    for (i = 1; i <= k->tap_count / 2; ++i)
+        if (!(k->offset_mm[i] > 0 && k->offset_mm[i] >= k->offset_mm[i - 1])) TEST_FAIL("%s: order of %d", what, i);
+    if (!(k->radius_mm >= k->offset_mm[k->tap_count / 2])) TEST_FAIL("%s: radius %g", what, (double)k->radius_mm);
 }
 
 /* All models and placements on hard profiles: a channel 45 times as wide as another, an empty channel, poles, noise. */
@@ -1347,9 +1336,9 @@ static void elevation(void)
     for (c = 0; c < 2; ++c) {
         double sum = 0, mean = 0;
         int i;
-        for (i = 0; i < k.tap_count; ++i) {
-            sum += (double)k.weight[0][i][c];
-            mean += (double)(k.weight[0][i][c] * fabsf(k.offset_mm[i]));
+        for (i = 0; i <= k.tap_count / 2; ++i) {
+            sum += (i ? 2 : 1) * (double)k.weight[0][i][c];
+            mean += 2 * (double)(k.weight[0][i][c] * k.offset_mm[i]);
         }
         mean *= 2 * sum * (double)k.elevation_axis[c];
         CHECK_NEAR(mean, (double)k.elevation[c] * sqrt(PI / 2), 1e-4 * mean); /* quadrature of the mean distance */

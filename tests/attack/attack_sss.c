@@ -82,7 +82,7 @@ static double kernel_sum(const ms_sss_kernel *k, int c)
     int t, i;
     for (t = 0; t < k->term_count; ++t) {
         double w = 0;
-        for (i = 0; i < k->tap_count; ++i) w += (double)k->weight[t][i][c];
+        for (i = 0; i <= k->tap_count / 2; ++i) w += (i ? 2 : 1) * (double)k->weight[t][i][c];
         sum += (double)k->scale[t][c] * w * w;
     }
     return sum;
@@ -95,7 +95,7 @@ static int kernel_positive(const ms_sss_kernel *k)
         if (!(k->delta[c] >= 0)) return 0;
         for (t = 0; t < k->term_count; ++t) {
             if (!(k->scale[t][c] >= 0)) return 0;
-            for (i = 0; i < k->tap_count; ++i)
+            for (i = 0; i <= k->tap_count / 2; ++i)
                 if (!(k->weight[t][i][c] >= 0)) return 0;
         }
     }
@@ -546,12 +546,12 @@ static void family_damaged(void)
     ms_sss_frame f;
     ms_sss_filter_options o = ms_sss_filter_defaults();
     const int which = attack_index(POOL), field = attack_index(13);
-    int i, hit = (int)attack_int(0, MS_SSS_TAPS_MAX - 1), c = attack_index(3);
+    int i, hit = (int)attack_int(0, MS_SSS_TAPS_MAX / 2), c = attack_index(3);
     const float v = attack_one_in(2) ? attack_odd_float()
                                      : (float)(attack_log(1e-38, 1e38) * (attack_one_in(2) ? -1 : 1));
     const int count = attack_one_in(2) ? (int)attack_int(-3, 700) : (int)attack_int(-2147483647, 2147483647);
     k = *pool_kernel(which);
-    if (hit >= k.tap_count && attack_one_in(2)) hit = attack_index(k.tap_count);
+    if (hit > k.tap_count / 2 && attack_one_in(2)) hit = attack_index(k.tap_count / 2 + 1);
     switch (field) {
     case 0: k.tap_count = count; break;
     case 1: k.term_count = count; break;
