@@ -60,7 +60,7 @@
      R_d sampled along the axis           2            7.80            8.23           22.80
      SVD rank 1, normalized               2            6.48            6.29           16.62
      pre-integrated                       2            0.00            3.03            7.33
-     image-optimal                        2            1.96            1.22            3.75
+     image-optimal, 33 taps               2            1.72            1.18            3.61
      pre-integrated + 1 residual          4            0.00            0.88            1.22
 
      texture error by taps of a pass      24 pixels: 7     11     17     96 pixels: 7     11     17
@@ -334,7 +334,7 @@ MS_API double ms_sss_elevation(double reflectance, double index);
 
 #define MS_SSS_TAPS_MAX 257 /* taps of one 1D pass, center included */
 #define MS_SSS_TERMS_MAX 6  /* separable terms */
-#define MS_SSS_DENSE (-1)   /* as tap_count: a tap every pixel of the design radius */
+#define MS_SSS_DENSE (-1)   /* as tap_count: a tap every pixel of the design radius; not image-optimal */
 
 /* A separable kernel, ready to be applied: out = delta E + sum_t scale_t (E * w_t along x) * w_t along y.
    Entry 0 of a pass is the tap at the center, entry i a pair of taps at -offset_mm[i] and +offset_mm[i] that have the
@@ -4688,8 +4688,9 @@ enum {
     MS_SSS__OCTANT = (MS_SSS__HALF + 1) * (MS_SSS__HALF + 2) / 2,
     MS_SSS__CELLS_MAX = 128,
     MS_SSS__RINGS_MAX = 512,
-    MS_SSS__SIGNALS = 6, /* of ms_sss_errors */
-    MS_SSS__TEXTURE = 5, /* the last of them */
+    MS_SSS__SIGNALS = 6,    /* of ms_sss_errors */
+    MS_SSS__TEXTURE = 5,    /* the last of them */
+    MS_SSS__FIT_PAIRS = 16, /* of the 33 taps that are fitted */
     MS_SSS__NODES_MAX = 96,
     MS_SSS__BINS_MAX = MS_SSS__NODES_MAX * (MS_SSS__NODES_MAX + 1) / 2
 };
@@ -5022,8 +5023,7 @@ static double ms_sss__pair_transfer(const ms_sss_designer *d, int k, double x, d
 
 /* A kernel in cells and doubles, for design and measurement. Term t of channel c: sign w w^T. */
 typedef struct ms_sss__curve {
-    int pairs, terms, hats;
-    double times[MS_SSS__CELLS_MAX + 1];                       /* factor of an entry in the energy: 1, 2, 2, ... */
+    int pairs, terms;
     double offset[MS_SSS__CELLS_MAX + 1];                      /* [0] is the center */
     double weight[3][MS_SSS_TERMS_MAX][MS_SSS__CELLS_MAX + 1]; /* of the center, then of each tap of a pair */
     double sign[3][MS_SSS_TERMS_MAX];
@@ -5074,11 +5074,9 @@ static void ms_sss__curve_transfer(const ms_sss__curve *v, const ms_sss__waves *
 static void ms_sss__kernel_curve(const ms_sss_designer *d, const ms_sss_kernel *kernel, ms_sss__curve *v)
 {
     int i, t, c;
-    v->hats = 0;
     v->pairs = kernel->tap_count / 2;
     v->terms = kernel->term_count;
     for (i = 0; i <= v->pairs; ++i) {
-        v->times[i] = i ? 2 : 1;
         v->offset[i] = (double)kernel->offset_mm[i] / d->cell_mm;
         if (fabs(v->offset[i] - floor(v->offset[i] + 0.5)) < 1e-4) v->offset[i] = floor(v->offset[i] + 0.5); /* float */
         for (t = 0; t < v->terms; ++t)
@@ -5179,10 +5177,9 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const
 
 /* ---- taps ------------------------------------------------------------------------------------------------------ */
 
-/* The bins over which taps are fitted: every frequency up to 12 + a third of the cells, as far as spectra of such
-   kernels have detail that matters, then with gaps that grow in proportion; each bin also stands for the gap around it.
-   With `coarse` about a quarter of them, for searches. */
-/* node: frequencies, share: the number of the 512 frequencies that each represents; returns the count. */
+/* The frequencies over which taps are fitted: every one up to 12 + a third of the cells, as far as spectra of such
+   kernels have detail that matters, then with gaps that grow in proportion. With `coarse` about a quarter of them, for
+   searches. share: the number of the 512 frequencies that each node represents. Returns their count. */
 static int ms_sss__nodes(int cells, int coarse, int *node, double *share)
 {
     int count = 0, all = (12 + cells / 3) >> coarse, growth = coarse ? 3 : 6, k, n;
@@ -5200,7 +5197,7 @@ static double ms_sss__term_sum(const ms_sss__curve *v, int c, int t)
 {
     double sum = 0;
     int i;
-    for (i = 0; i <= v->pairs; ++i) sum += v->times[i] * v->weight[c][t][i];
+    for (i = 0; i <= v->pairs; ++i) sum += (i ? 2 : 1) * v->weight[c][t][i];
     return sum;
 }
 
@@ -5220,20 +5217,21 @@ static void ms_sss__curve_normalize(ms_sss__curve *v)
 }
 
 /* A least-squares fit of taps to a target spectrum under a picture prior:
-     minimize sum over bins of weight (target - delta - sum_t sign_t wave_t(line 1) wave_t(line 2))^2
-   where wave(line) = w_0 + sum_i w_i basis_i(line) is one pass. Unknown are the offsets (optional, shared by the
-   channels), w_i = q_i^2 >= 0 of the first term, any w_i of the others, and delta = q^2; then all terms are scaled to
-   keep the energy. The entries of a curve of hats are no pairs of taps but bumps over many cells. */
+     minimize sum over bins of weight (target - delta - sum_t sign_t wave_t(node 1) wave_t(node 2))^2
+   where wave(node) = w_0 + sum_i w_i basis_i(node) is one pass. Unknown are the offsets, which the channels share, and
+   of each channel w_i = q_i^2 >= 0 of the first term, any w_i of the others, and delta = q^2; then all terms are scaled
+   to keep the energy. A bin is a pair of nodes, in the order of the octant. */
 typedef struct ms_sss__fit {
     const ms_sss_designer *d;
-    int lines, bins, pairs, terms, use_delta, unknowns, local;
-    int first, end, moved; /* channels; offsets */
-    int k1[MS_SSS__BINS_MAX], k2[MS_SSS__BINS_MAX];
-    int line1[MS_SSS__BINS_MAX], line2[MS_SSS__BINS_MAX];
+    int nodes, pairs, terms, use_delta;
+    int unknowns, local; /* of all; that one channel's bins depend on */
+    int node[MS_SSS__NODES_MAX];
     double weight[MS_SSS__BINS_MAX], target[MS_SSS__BINS_MAX][3];
-    double *basis, *slope;          /* [lines][pairs] of both taps of a pair; d basis / d offset */
-    double *wave;                   /* [3][MS_SSS_TERMS_MAX][lines] */
-    double *jacobian, *x, *scratch; /* [local], [unknowns], of ms_sss__descend */
+    double basis[MS_SSS__NODES_MAX][MS_SSS__FIT_PAIRS]; /* of both taps of a pair */
+    double slope[MS_SSS__NODES_MAX][MS_SSS__FIT_PAIRS]; /* d basis / d offset */
+    double wave[3][MS_SSS_TERMS_MAX][MS_SSS__NODES_MAX];
+    double jacobian[MS_SSS__FIT_PAIRS + MS_SSS_TERMS_MAX * (MS_SSS__FIT_PAIRS + 1) + 1]; /* [local] */
+    double *x, *scratch; /* [unknowns]; of ms_sss__descend */
     ms_sss__curve trial, hop;
     ms_sss__waves waves;
     size_t bytes;
@@ -5245,129 +5243,110 @@ typedef struct ms_sss__fit {
 static void ms_sss__fit_bins(ms_sss__fit *fit, const ms_sss__curve *model, double dial, int coarse)
 {
     double share[MS_SSS__NODES_MAX], all = 0, on_axis = 0;
-    int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(fit->d->cells, coarse, node, share), a, b, c, n = 0;
+    const int *node = fit->node;
+    int a, b, c, n = 0;
+    fit->nodes = ms_sss__nodes(fit->d->cells, coarse, fit->node, share);
     if (model != NULL) ms_sss__curve_waves(fit->d, model, &fit->waves);
-    for (a = 0; a < nodes; ++a)
+    for (a = 0; a < fit->nodes; ++a)
         for (b = 0; b <= a; ++b, ++n) {
             double squares = 0;
-            fit->k1[n] = node[a];
-            fit->k2[n] = node[b];
-            fit->line1[n] = a;
-            fit->line2[n] = b;
             for (c = 0; c < 3; ++c) fit->target[n][c] = fit->d->spectrum[c][ms_sss__octant(node[a], node[b])];
             if (model != NULL) ms_sss__curve_transfer(model, &fit->waves, node[a], node[b], fit->target[n]);
             for (c = 0; c < 3; ++c) squares += fit->target[n][c] * fit->target[n][c];
-            fit->weight[n] = n == 0 ? 0
-                                    : share[a] * share[b] * (a == b ? 1 : 2) * ms_sss__texture_power(node[a], node[b]);
+            if (n > 0)
+                fit->weight[n] = share[a] * share[b] * (a == b ? 1 : 2) * ms_sss__texture_power(node[a], node[b]);
             all += fit->weight[n] * squares;
             if (b == 0 && a > 0) on_axis += share[a] / ((double)node[a] * node[a]) * squares;
         }
-    fit->bins = n;
-    fit->lines = nodes;
-    for (n = 1; n < fit->bins; ++n) fit->weight[n] *= (1 - dial) / all;
-    for (a = 1; a < nodes; ++a) fit->weight[a * (a + 1) / 2] += dial * share[a] / ((double)node[a] * node[a]) / on_axis;
-}
-
-/* Hat n of a curve given by its values at offset[n], cells, linear between: its value in a cell, and the transfer of
-   all its cells on both sides. */
-static double ms_sss__hat(const ms_sss__curve *v, int n, int cell)
-{
-    double x = cell, at = v->offset[n];
-    if (x < at) return n == 0 || x <= v->offset[n - 1] ? 0 : (x - v->offset[n - 1]) / (at - v->offset[n - 1]);
-    if (x > at) return n == v->pairs || x >= v->offset[n + 1] ? 0 : (v->offset[n + 1] - x) / (v->offset[n + 1] - at);
-    return 1;
-}
-
-static double ms_sss__hat_transfer(const ms_sss_designer *d, const ms_sss__curve *v, int n, int k)
-{
-    double sum = 0;
-    int cell, last = (int)v->offset[n < v->pairs ? n + 1 : n];
-    for (cell = (int)v->offset[n - 1] + 1; cell <= last; ++cell)
-        sum += 2 * ms_sss__hat(v, n, cell) * d->cosine[k * cell & (MS_SSS__SIZE - 1)];
-    return sum;
+    while (--n > 0) fit->weight[n] *= (1 - dial) / all;
+    for (a = 1; a < fit->nodes; ++a)
+        fit->weight[ms_sss__octant(a, 0)] += dial * share[a] / ((double)node[a] * node[a]) / on_axis;
 }
 
 static void ms_sss__fit_basis(ms_sss__fit *fit, const ms_sss__curve *v)
 {
-    int n, i;
-    for (n = 0; n < fit->bins; ++n) { /* one line a node, from the bins on the axis */
-        double *basis = fit->basis + fit->line1[n] * fit->pairs, *slope = fit->slope + fit->line1[n] * fit->pairs;
-        for (i = 0; i < fit->pairs && fit->k2[n] == 0; ++i) {
-            if (v->hats) {
-                basis[i] = ms_sss__hat_transfer(fit->d, v, i + 1, fit->k1[n]);
-                continue;
-            }
-            basis[i] = 2 * ms_sss__pair_transfer(fit->d, fit->k1[n], v->offset[i + 1], &slope[i]);
-            slope[i] *= 2;
+    int node, i;
+    for (node = 0; node < fit->nodes; ++node)
+        for (i = 0; i < fit->pairs; ++i) {
+            fit->basis[node][i] = 2 *
+                ms_sss__pair_transfer(fit->d, fit->node[node], v->offset[i + 1], &fit->slope[node][i]);
+            fit->slope[node][i] *= 2;
         }
-    }
 }
 
 static double ms_sss__fit_objective(ms_sss__fit *fit, const ms_sss__curve *v)
 {
     double sum = 0;
-    int n, c, t, i, line;
-    for (c = fit->first; c < fit->end; ++c)
+    int a, b, c, t, i, n;
+    for (c = 0; c < 3; ++c)
         for (t = 0; t < fit->terms; ++t)
-            for (line = 0; line < fit->lines; ++line) {
-                const double *basis = fit->basis + line * fit->pairs, *w = v->weight[c][t];
-                double wave = w[0];
-                for (i = 0; i < fit->pairs; ++i) wave += w[i + 1] * basis[i];
-                fit->wave[(c * MS_SSS_TERMS_MAX + t) * fit->lines + line] = wave;
+            for (a = 0; a < fit->nodes; ++a) {
+                double wave = v->weight[c][t][0];
+                for (i = 0; i < fit->pairs; ++i) wave += v->weight[c][t][i + 1] * fit->basis[a][i];
+                fit->wave[c][t][a] = wave;
             }
-    for (n = 0; n < fit->bins; ++n)
-        for (c = fit->first; c < fit->end; ++c) {
-            double rest = fit->target[n][c] - v->delta[c];
-            for (t = 0; t < fit->terms; ++t) {
-                const double *wave = fit->wave + (c * MS_SSS_TERMS_MAX + t) * fit->lines;
-                rest -= v->sign[c][t] * wave[fit->line1[n]] * wave[fit->line2[n]];
+    for (a = n = 0; a < fit->nodes; ++a)
+        for (b = 0; b <= a; ++b, ++n)
+            for (c = 0; c < 3; ++c) {
+                double rest = fit->target[n][c] - v->delta[c];
+                for (t = 0; t < fit->terms; ++t) rest -= v->sign[c][t] * fit->wave[c][t][a] * fit->wave[c][t][b];
+                sum += fit->weight[n] * rest * rest;
             }
-            sum += fit->weight[n] * rest * rest;
-        }
     return sum;
 }
 
-/* Normal equations of the curve whose waves the last objective left. */
-static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v, double *H_all, double *g)
+/* The derivatives of a bin's response by the offsets, the weights of channel c and the root of delta; returns the
+   response of the terms. */
+static double ms_sss__fit_bin(ms_sss__fit *fit, const ms_sss__curve *v, int c, int a, int b, const double *sum)
 {
-    int n, c, t, i, j, moved = fit->moved;
-    double *J = fit->jacobian;
-    for (c = fit->first; c < fit->end; ++c) {
-        int own = moved + (c - fit->first) * (fit->local - moved) - moved; /* from local to global unknown */
-        double spread = v->energy[c] - v->delta[c], sum[MS_SSS_TERMS_MAX];
+    const double *basis_a = fit->basis[a], *basis_b = fit->basis[b];
+    double *J = fit->jacobian, found = 0;
+    const double spread = v->energy[c] - v->delta[c];
+    int t, i;
+    memset(J, 0, sizeof *J * (size_t)fit->local);
+    for (t = 0; t < fit->terms; ++t) {
+        const double wave_a = fit->wave[c][t][a] * v->sign[c][t], wave_b = fit->wave[c][t][b] * v->sign[c][t];
+        double *Jw = J + fit->pairs + t * (fit->pairs + 1);
+        found += wave_a * fit->wave[c][t][b];
+        Jw[0] += wave_a + wave_b;
+        for (i = 0; i < fit->pairs; ++i) {
+            Jw[i + 1] += basis_a[i] * wave_b + wave_a * basis_b[i];
+            J[i] += v->weight[c][t][i + 1] * (fit->slope[a][i] * wave_b + wave_a * fit->slope[b][i]);
+        }
+    }
+    for (t = 0; t < fit->terms; ++t) { /* all terms are scaled to keep sum_t sign_t sum_t^2 = energy - delta */
+        double *Jw = J + fit->pairs + t * (fit->pairs + 1), pull = 2 * v->sign[c][t] * sum[t] * found / spread;
+        for (i = 0; i <= fit->pairs; ++i) {
+            Jw[i] -= (i ? 2 : 1) * pull;
+            if (t == 0) Jw[i] *= 2 * sqrt(v->weight[c][0][i]); /* d w / d q */
+        }
+    }
+    if (fit->use_delta) J[fit->local - 1] = 2 * sqrt(v->delta[c]) * (1 - found / spread);
+    return found;
+}
+
+/* Normal equations of the curve whose waves the last objective left. */
+static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v, double *H, double *g)
+{
+    const double *J = fit->jacobian;
+    int a, b, c, t, i, j, n;
+    for (c = 0; c < 3; ++c) {
+        const int own = c * (fit->local - fit->pairs); /* from a weight's place in J to its unknown */
+        double sum[MS_SSS_TERMS_MAX];
         for (t = 0; t < fit->terms; ++t) sum[t] = ms_sss__term_sum(v, c, t);
-        for (n = 0; n < fit->bins; ++n) {
-            double found = 0, rest;
-            memset(J, 0, sizeof *J * (size_t)fit->local);
-            for (t = 0; t < fit->terms; ++t) {
-                const double *wave = fit->wave + (c * MS_SSS_TERMS_MAX + t) * fit->lines, *w = v->weight[c][t];
-                double *Jw = J + moved + t * (fit->pairs + 1);
-                const int l1 = fit->line1[n], l2 = fit->line2[n];
-                const double a1 = wave[l1] * v->sign[c][t], a2 = wave[l2] * v->sign[c][t];
-                const double *b1 = fit->basis + l1 * fit->pairs, *b2 = fit->basis + l2 * fit->pairs;
-                const double *s1 = fit->slope + l1 * fit->pairs, *s2 = fit->slope + l2 * fit->pairs;
-                found += a1 * wave[l2];
-                Jw[0] += a1 + a2;
-                for (i = 0; i < fit->pairs; ++i) Jw[i + 1] += b1[i] * a2 + a1 * b2[i];
-                for (i = 0; i < moved; ++i) J[i] += w[i + 1] * (s1[i] * a2 + a1 * s2[i]);
-            }
-            rest = fit->target[n][c] - v->delta[c] - found;
-            for (t = 0; t < fit->terms; ++t) { /* all terms are scaled to keep sum_t sign_t sum_t^2 = energy - delta */
-                double *Jw = J + moved + t * (fit->pairs + 1), pull = 2 * v->sign[c][t] * sum[t] * found / spread;
-                for (i = 0; i <= fit->pairs; ++i) {
-                    Jw[i] -= v->times[i] * pull;
-                    if (t == 0) Jw[i] *= 2 * sqrt(v->weight[c][0][i]); /* d w / d q */
+        for (a = n = 0; a < fit->nodes; ++a)
+            for (b = 0; b <= a; ++b, ++n) {
+                const double found = ms_sss__fit_bin(fit, v, c, a, b, sum);
+                const double rest = fit->target[n][c] - v->delta[c] - found;
+                for (i = 0; i < fit->local; ++i) {
+                    const int row = i < fit->pairs ? i : own + i;
+                    const double Ji = fit->weight[n] * J[i];
+                    double *Hi = H + row * fit->unknowns;
+                    g[row] += Ji * rest;
+                    for (j = 0; j < fit->pairs && j <= i; ++j) Hi[j] += Ji * J[j];
+                    for (; j <= i; ++j) Hi[own + j] += Ji * J[j];
                 }
             }
-            if (fit->use_delta) J[fit->local - 1] = 2 * sqrt(v->delta[c]) * (1 - found / spread);
-            for (i = 0; i < fit->local; ++i) {
-                int row = i < moved ? i : own + i;
-                double Ji = fit->weight[n] * J[i], *H = H_all + row * fit->unknowns;
-                g[row] += Ji * rest;
-                for (j = 0; j < moved && j <= i; ++j) H[j] += Ji * J[j];
-                for (; j <= i; ++j) H[own + j] += Ji * J[j];
-            }
-        }
     }
 }
 
@@ -5376,8 +5355,8 @@ static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v, double 
 static void ms_sss__fit_pack(const ms_sss__fit *fit, const ms_sss__curve *v, double *x)
 {
     int c, t, i;
-    for (i = 1; i <= fit->moved; ++i) *x++ = v->offset[i];
-    for (c = fit->first; c < fit->end; ++c) {
+    for (i = 1; i <= fit->pairs; ++i) *x++ = v->offset[i];
+    for (c = 0; c < 3; ++c) {
         for (t = 0; t < fit->terms; ++t)
             for (i = 0; i <= fit->pairs; ++i) *x++ = t == 0 ? sqrt(v->weight[c][0][i]) : v->weight[c][t][i];
         if (fit->use_delta) *x++ = sqrt(v->delta[c]);
@@ -5388,8 +5367,8 @@ static void ms_sss__fit_pack(const ms_sss__fit *fit, const ms_sss__curve *v, dou
 static void ms_sss__fit_unpack(const ms_sss__fit *fit, const double *x, ms_sss__curve *v)
 {
     int c, t, i;
-    for (i = 1; i <= fit->moved; ++i) v->offset[i] = fmax(0.05, fmin(*x++, 2 * fit->d->cells + 2));
-    for (c = fit->first; c < fit->end; ++c) {
+    for (i = 1; i <= fit->pairs; ++i) v->offset[i] = fmax(0.05, fmin(*x++, 2 * fit->d->cells + 2));
+    for (c = 0; c < 3; ++c) {
         for (t = 0; t < fit->terms; ++t)
             for (i = 0; i <= fit->pairs; ++i, ++x) v->weight[c][t][i] = t == 0 ? *x * *x : *x;
         if (fit->use_delta) v->delta[c] = fmin(*x * *x, 0.99 * v->energy[c]), ++x;
@@ -5406,7 +5385,7 @@ static double ms_sss__fit_squares(const ms_sss__squares *p, double *x, double *H
     }
     ms_sss__fit_unpack(fit, x, &fit->trial);
     ms_sss__fit_pack(fit, &fit->trial, x);
-    if (fit->moved) ms_sss__fit_basis(fit, &fit->trial);
+    ms_sss__fit_basis(fit, &fit->trial);
     return ms_sss__fit_objective(fit, &fit->trial);
 }
 
@@ -5420,56 +5399,37 @@ static double ms_sss__fit_run(ms_sss__fit *fit, ms_sss__curve *v, int rounds)
     problem.evaluate = ms_sss__fit_squares;
     problem.n = fit->unknowns;
     problem.fit = fit;
-    for (c = fit->first; c < fit->end; ++c) /* q = 0 would never move */
+    for (c = 0; c < 3; ++c) /* q = 0 would never move */
         for (i = 0; i <= v->pairs; ++i) v->weight[c][0][i] = fmax(v->weight[c][0][i], 1e-6);
     fit->trial = *v;
-    if (!fit->moved) ms_sss__fit_basis(fit, v);
     ms_sss__fit_pack(fit, v, fit->x);
     value = ms_sss__descend(&problem, fit->x, rounds, 1e-6, fit->scratch);
     ms_sss__fit_unpack(fit, fit->x, v);
     return value;
 }
 
-static void ms_sss__fit_destroy(ms_sss__fit *fit)
-{
-    if (fit != NULL) ms__release(&fit->d->allocator, fit, fit->bytes);
-}
+static void ms_sss__fit_destroy(ms_sss__fit *fit) { ms__release(&fit->d->allocator, fit, fit->bytes); }
 
-/* channel: the one whose weights are fitted, offsets fixed; -1: all three, and the offsets they share. NULL: no
-   memory. */
+/* For curves of v's pairs and terms. NULL: no memory. */
 static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__curve *model, double dial,
-                                       const ms_sss__curve *v, int channel, int use_delta, int coarse)
+                                       const ms_sss__curve *v, int use_delta, int coarse)
 {
-    const int moved = channel < 0 ? v->pairs : 0, channels = channel < 0 ? 3 : 1;
-    const int local = moved + v->terms * (v->pairs + 1) + use_delta, unknowns = moved + channels * (local - moved);
-    double share[MS_SSS__NODES_MAX];
-    int node[MS_SSS__NODES_MAX], lines = ms_sss__nodes(d->cells, coarse, node, share);
-    size_t header = (sizeof(ms_sss__fit) + 63) / 64 * 64;
-    size_t doubles = (size_t)((2 * v->pairs + 3 * MS_SSS_TERMS_MAX) * lines + local + unknowns +
-                              MS_SSS__DESCEND_SCRATCH(unknowns));
-    size_t bytes = header + doubles * sizeof(double);
+    const int own = v->terms * (v->pairs + 1) + use_delta, unknowns = v->pairs + 3 * own;
+    const size_t doubles = (size_t)(unknowns + MS_SSS__DESCEND_SCRATCH(unknowns));
+    const size_t bytes = sizeof(ms_sss__fit) + doubles * sizeof(double);
     ms_sss__fit *fit = (ms_sss__fit *)ms__alloc(&d->allocator, bytes);
-    double *at;
     if (fit == NULL) return NULL;
     memset(fit, 0, bytes);
     fit->d = d;
     fit->bytes = bytes;
     fit->pairs = v->pairs;
     fit->terms = v->terms;
-    fit->first = channel < 0 ? 0 : channel;
-    fit->end = fit->first + channels;
-    fit->moved = moved;
     fit->use_delta = use_delta;
     fit->unknowns = unknowns;
-    fit->local = local;
+    fit->local = v->pairs + own;
+    fit->x = (double *)(void *)(fit + 1);
+    fit->scratch = fit->x + unknowns;
     ms_sss__fit_bins(fit, model, dial, coarse);
-    at = (double *)(void *)((unsigned char *)fit + header);
-    fit->basis = at;
-    fit->slope = at += lines * v->pairs;
-    fit->wave = at += lines * v->pairs;
-    fit->jacobian = at += 3 * MS_SSS_TERMS_MAX * lines;
-    fit->x = at += local;
-    fit->scratch = at + unknowns;
     return fit;
 }
 
@@ -5487,7 +5447,6 @@ static void ms_sss__place(const ms_sss_designer *d, const ms_sss__curve *dense, 
     memset(v, 0, sizeof *v);
     v->pairs = pairs;
     v->terms = dense->terms;
-    for (n = 0; n <= pairs; ++n) v->times[n] = n ? 2 : 1;
     memcpy(v->sign, dense->sign, sizeof v->sign);
     memcpy(v->delta, dense->delta, sizeof v->delta);
     memcpy(v->energy, dense->energy, sizeof v->energy);
@@ -5787,10 +5746,7 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
     memset(v, 0, sizeof *v);
     v->pairs = M;
     v->terms = 1;
-    for (i = 0; i <= M; ++i) {
-        v->offset[i] = i;
-        v->times[i] = i ? 2 : 1;
-    }
+    for (i = 0; i <= M; ++i) v->offset[i] = i;
     if (o->model == MS_SSS_SVD || o->model == MS_SSS_SVD_NORMALIZED || o->model == MS_SSS_GAUSSIANS ||
         o->model == MS_SSS_RESIDUAL)
         v->terms = o->term_count;
@@ -5836,41 +5792,6 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
     return status;
 }
 
-/* The image-optimal kernel with a weight for every cell; v holds a_p. The curve is given by its values at every cell
-   near the center and at growing distances farther out, linear between: all cells on their own would fit what lies
-   between the bins. */
-static ms_status ms_sss__dense_optimum(const ms_sss_designer *d, double dial, int no_delta, ms_sss__curve *hats,
-                                       ms_sss__curve *v)
-{
-    ms_sss__fit *fit;
-    int c, n, cell;
-    if (dial == 1) return MS_OK;
-    *hats = *v;
-    hats->hats = 1;
-    for (n = 0, cell = 0; cell < d->cells; cell += cell < 6 ? 1 : 1 + (cell - 2) / 4) hats->offset[n++] = cell;
-    hats->offset[hats->pairs = n] = d->cells;
-    for (n = 0; n <= hats->pairs; ++n) {
-        hats->times[n] = 0;
-        for (cell = 0; cell <= d->cells; ++cell) hats->times[n] += (cell ? 2 : 1) * ms_sss__hat(hats, n, cell);
-        for (c = 0; c < 3; ++c) hats->weight[c][0][n] = v->weight[c][0][(int)hats->offset[n]];
-    }
-    for (c = 0; c < 3 && !no_delta; ++c) hats->delta[c] = 0.01;
-    ms_sss__curve_normalize(hats);
-    for (c = 0; c < 3; ++c) { /* with fixed offsets the channels are independent */
-        fit = ms_sss__fit_create(d, NULL, dial, hats, c, !no_delta, 0);
-        if (fit == NULL) return MS_OUT_OF_MEMORY;
-        ms_sss__fit_run(fit, hats, 60);
-        ms_sss__fit_destroy(fit);
-        v->delta[c] = hats->delta[c];
-        for (cell = 0; cell <= d->cells; ++cell) {
-            v->weight[c][0][cell] = 0;
-            for (n = 0; n <= hats->pairs; ++n)
-                v->weight[c][0][cell] += ms_sss__hat(hats, n, cell) * hats->weight[c][0][n];
-        }
-    }
-    return MS_OK;
-}
-
 /* Moves offsets of best over the kinks that linear interpolation has at whole pixels, where descent gets stuck, as long
    as that helps; then descends to the end. */
 static void ms_sss__fit_past_kinks(ms_sss__fit *fit, int sweeps, ms_sss__curve *best)
@@ -5907,7 +5828,7 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
     double least = HUGE_VAL, objective;
     int n, c;
     ms_sss__place(d, dense, MS_SSS_QUANTILE, 0, pairs, best);
-    fit = ms_sss__fit_create(d, model, dial, best, -1, !no_delta, 1);
+    fit = ms_sss__fit_create(d, model, dial, best, !no_delta, 1);
     if (fit == NULL) return MS_OUT_OF_MEMORY;
     v = &fit->hop;
     for (n = 0; n < 5; ++n) {
@@ -5922,7 +5843,7 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
     }
     ms_sss__fit_past_kinks(fit, 2, best);
     ms_sss__fit_destroy(fit);
-    fit = ms_sss__fit_create(d, model, dial, best, -1, !no_delta, 0);
+    fit = ms_sss__fit_create(d, model, dial, best, !no_delta, 0);
     if (fit == NULL) return MS_OUT_OF_MEMORY;
     ms_sss__fit_past_kinks(fit, dense->terms > 1 || pairs <= 8,
                            best); /* worth its time where a tap or an error counts */
@@ -5966,7 +5887,7 @@ static MS_SSS__COLD void ms_sss__store_kernel(const ms_sss_designer *d, const ms
         double both = 0; /* mean of |x| + |y| */
         for (t = 0; t < v->terms; ++t) {
             double one = 0;
-            for (i = 1; i <= v->pairs; ++i) one += v->times[i] * v->weight[c][t][i] * fabs(v->offset[i]) * d->cell_mm;
+            for (i = 1; i <= v->pairs; ++i) one += 2 * v->weight[c][t][i] * v->offset[i] * d->cell_mm;
             both += 2 * v->sign[c][t] * ms_sss__term_sum(v, c, t) * one / v->energy[c];
             kernel->scale[t][c] = (float)v->sign[c][t];
         }
@@ -6000,6 +5921,8 @@ static MS_SSS__COLD ms_status ms_sss__check_kernel_options(const ms_sss_kernel_o
                                         {"index", o->index, 1, 2}};
         if ((status = ms_sss__check_ranges(ranges, sizeof ranges / sizeof ranges[0], error)) != MS_OK) return status;
     }
+    if (dense && o->model == MS_SSS_IMAGE_OPTIMAL)
+        return MS_SSS__REFUSE(error, "tap_count is MS_SSS_DENSE; 3 to 33 expected for an image-optimal kernel");
     if (!dense && (o->tap_count < 3 || o->tap_count > most || o->tap_count % 2 == 0))
         return MS_SSS__REFUSE(error, "tap_count is %d; odd, 3 to %d, or MS_SSS_DENSE expected", o->tap_count, most);
     for (c = 0; c < 3; ++c) {
@@ -6045,7 +5968,6 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const m
     pairs = o.tap_count / 2;
     if (status == MS_OK && o.tap_count == MS_SSS_DENSE) {
         *taps = *dense;
-        if (o.model == MS_SSS_IMAGE_OPTIMAL) status = ms_sss__dense_optimum(d, o.dial, o.no_delta, scratch, taps);
     } else if (status == MS_OK && o.placement == MS_SSS_OPTIMIZED) {
         /* the target: the profile for models that approximate it best, else the model's own dense kernel */
         of_profile = o.model == MS_SSS_IMAGE_OPTIMAL || o.model == MS_SSS_RESIDUAL;

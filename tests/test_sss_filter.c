@@ -649,7 +649,7 @@ static void case_constant_models(void)
 {
     static const ms_sss_model model[] = {MS_SSS_IMAGE_OPTIMAL, MS_SSS_PREINTEGRATED, MS_SSS_RESIDUAL, MS_SSS_GAUSSIANS,
                                          MS_SSS_GUIDED};
-    static const int taps[] = {7, 17, MS_SSS_DENSE};
+    static const int taps[] = {7, 17, MS_SSS_DENSE}; /* image-optimal has no more than 33 */
     const double reflectance[3] = {0.44, 0.22, 0.13}, d_mm[3] = {1.2, 0.5, 0.3};
     test_scene s = test_scene_make(120, 90, test_seed);
     float *out[3] = {test_floats(120 * 90), test_floats(120 * 90), test_floats(120 * 90)};
@@ -666,7 +666,7 @@ static void case_constant_models(void)
             ms_sss_kernel_options build = ms_sss_kernel_defaults();
             ms_sss_kernel k;
             build.model = model[m];
-            build.tap_count = taps[t];
+            build.tap_count = m == 0 && t == 2 ? 33 : taps[t];
             CHECK_INT(ms_sss_kernel_build(&k, designer, &build, NULL), MS_OK);
             for (kind = 0; kind < 2; ++kind) { /* texture space, perspective */
                 ms_sss_filter_options o = test_options(kind == 1 ? 1 : 0);

@@ -425,6 +425,7 @@ static void small_designs(void)
                 ms_error error;
                 int i;
                 o.model = (ms_sss_model)m;
+                if (m == MS_SSS_IMAGE_OPTIMAL && t == 3) continue; /* it has no dense kernel */
                 if (t == 3) o.tap_count = MS_SSS_DENSE;
                 else o.placement = (ms_sss_placement)t;
                 if (ms_sss_kernel_build(&k, d, &o, &error) != MS_OK) {
@@ -600,7 +601,7 @@ static void reference_kernels(void)
     ms_sss_designer *d = designer_for(skin, 32);
     static ms_sss_kernel k;
     ms_sss_kernel_options o = dense_model(MS_SSS_PREINTEGRATED, 1);
-    double ap = 0, svd = 0, residual = 0, guided = 0, image = 0;
+    double ap = 0, svd = 0, residual = 0, guided = 0;
     int c, i, t, g;
     built(&k, d, &o);
     CHECK_NEAR((double)k.offset_mm[1], 0.170435227406572, 1e-7);
@@ -647,16 +648,8 @@ static void reference_kernels(void)
                                    json_number(&json_get(&channels->child[c], "guided")->child[g].child[i])));
     }
     CHECK_LE(guided, 0.02); /* where Gamma is tiny the study stopped at its iteration limit */
-    o = dense_model(MS_SSS_IMAGE_OPTIMAL, 1);
-    built(&k, d, &o);
-    for (c = 0; c < 3; ++c)
-        for (i = 0; i <= 32; ++i)
-            image = fmax(
-                image,
-                fabs((double)k.weight[0][i][c] - json_number(&json_get(&channels->child[c], "img_rank1")->child[i])));
-    CHECK_LE(image, 0.01); /* ours knows of the texture's band limit, and is linear between knots */
-    TEST_NOTE("largest differences of weights: a_p %.1e, SVD %.1e, residual %.1e, guided %.1e, image-optimal %.1e", ap,
-              svd, residual, guided, image);
+    TEST_NOTE("largest differences of weights: a_p %.1e, SVD %.1e, residual %.1e, guided %.1e", ap, svd, residual,
+              guided);
     ms_sss_designer_destroy(d);
     ms_sss_profile_destroy(skin);
     json_free(j);
@@ -674,13 +667,13 @@ static void reference_errors(void)
         const char *name;
         ms_sss_model model;
         int terms;
-        int better;     /* the study stopped short of the optimum: at most its error */
+        int better;     /* at most the study's error: it stopped short of the optimum, or had no weight on the input */
         double texture; /* tolerance there: 5% in design.md's table as the issue asks, else that of another picture */
     } row[] = {{"radial_slice_(iryoku_code,strength1)", MS_SSS_SLICE, 1, 0, 0.05},
                {"sog1", MS_SSS_GAUSSIANS, 1, 0, 0.05},
                {"svd1_norm", MS_SSS_SVD_NORMALIZED, 1, 0, 0.05},
                {"preint", MS_SSS_PREINTEGRATED, 1, 0, 0.05},
-               {"img_rank1", MS_SSS_IMAGE_OPTIMAL, 1, 0, 0.05},
+               {"img_rank1", MS_SSS_IMAGE_OPTIMAL, 1, 1, 0.05},
                {"svd2_norm", MS_SSS_SVD_NORMALIZED, 2, 0, 0.05},
                {"preint+res1", MS_SSS_RESIDUAL, 2, 0, 0.05},
                {"sog6", MS_SSS_GAUSSIANS, 6, 1, 0.05},
@@ -710,6 +703,7 @@ static void reference_errors(void)
         ms_sss_errors e;
         double found[5];
         int s;
+        if (row[n].model == MS_SSS_IMAGE_OPTIMAL) o.tap_count = 33, o.no_delta = 0; /* the study: a tap every cell */
         if (strcmp(row[n].name, "artist_close_mm") == 0) o.artist = close_fit;
         if (strcmp(row[n].name, "artist_production_mm") == 0) o.artist = production;
         e = built(&k, d, &o);
@@ -1028,6 +1022,7 @@ static void every_model(void)
                 ms_sss_kernel_options o = ms_sss_kernel_defaults();
                 ms_sss_errors e;
                 char what[64];
+                if (m == MS_SSS_IMAGE_OPTIMAL && placement == 3) continue; /* it has no dense kernel */
                 o.model = (ms_sss_model)m;
                 o.guide_k = 1.5;
                 o.term_count = m == MS_SSS_SVD || m == MS_SSS_GAUSSIANS ? 3 : 0;
@@ -1070,7 +1065,7 @@ static void no_gain(void)
         o.model = n % 2 ? MS_SSS_SVD : (ms_sss_model)(n / 2 % 9);
         o.placement = n % 8 ? MS_SSS_QUANTILE : MS_SSS_OPTIMIZED; /* whose fits take most of the time */
         o.term_count = 1 + (int)((n % 8 ? 6 : 2) * test_uniform(&seed));
-        o.tap_count = n % 3 ? 3 + 2 * (int)(7 * test_uniform(&seed)) : MS_SSS_DENSE;
+        o.tap_count = n % 3 || o.model == MS_SSS_IMAGE_OPTIMAL ? 3 + 2 * (int)(7 * test_uniform(&seed)) : MS_SSS_DENSE;
         CHECK_INT(ms_sss_kernel_make(&k, NULL, p, 1 + 20 * test_uniform(&seed), &o, NULL, NULL), MS_OK);
         sprintf(what, "random rings %d, model %d", n, (int)o.model);
         check_kernel(&k, o.model, what);
@@ -1093,13 +1088,12 @@ static void radii(void)
         check_kernel(&k, MS_SSS_IMAGE_OPTIMAL, "radius");
         CHECK(e.texture < (radius[n] <= 3.3 ? 0.02 : 0.2));
         o.tap_count = MS_SSS_DENSE;
-        built(&k, d, &o);
-        check_kernel(&k, MS_SSS_IMAGE_OPTIMAL, "dense radius");
-        for (model = MS_SSS_PREINTEGRATED; model <= (int)MS_SSS_SLICE && radius[n] > 1e8; ++model) { /* full arrays */
+        for (model = MS_SSS_PREINTEGRATED; model <= (int)MS_SSS_SLICE; ++model) {
+            if (model > MS_SSS_PREINTEGRATED && radius[n] < 1e8) break; /* the others with full arrays */
             o.model = (ms_sss_model)model;
             o.term_count = model >= (int)MS_SSS_RESIDUAL && model <= (int)MS_SSS_GAUSSIANS ? 2 : 1;
             built(&k, d, &o);
-            check_kernel(&k, o.model, "the most cells");
+            check_kernel(&k, o.model, "dense radius");
         }
         ms_sss_designer_destroy(d);
     }
@@ -1111,9 +1105,11 @@ static void dial(void)
     static ms_sss_kernel k;
     ms_sss_profile *skin = skin_profile();
     ms_sss_designer *d = designer_for(skin, 48);
-    ms_sss_kernel_options o = dense_model(MS_SSS_IMAGE_OPTIMAL, 1);
+    ms_sss_kernel_options o = ms_sss_kernel_defaults();
     double step = 1e9, texture = 0;
     int i;
+    o.tap_count = 33;
+    o.no_delta = 1;
     for (i = 0; i <= 4; ++i) {
         ms_sss_errors e;
         o.dial = 0.25 * i;
@@ -1122,7 +1118,8 @@ static void dial(void)
         step = e.vertical_step;
         texture = e.texture;
     }
-    CHECK_LE(step, 1e-6); /* at 1 it is a_p: floats */
+    o.model = MS_SSS_PREINTEGRATED;
+    CHECK_NEAR(step / built(&k, d, &o).vertical_step, 1, 0.2); /* at 1 it is a_p: two descents to the same minimum */
     ms_sss_designer_destroy(d);
     ms_sss_profile_destroy(skin);
 }
@@ -1224,7 +1221,7 @@ static ms_status model_with(int model, const ms_allocator *allocator)
     ms_sss_designer *d = NULL;
     ms_status status = ms_sss_profile_from_burley(&p, one, one, allocator, NULL);
     o.model = (ms_sss_model)model;
-    o.tap_count = MS_SSS_DENSE;
+    o.tap_count = model == MS_SSS_IMAGE_OPTIMAL ? 7 : MS_SSS_DENSE;
     if (status == MS_OK) status = ms_sss_designer_create(&d, p, 4, allocator, NULL);
     if (status == MS_OK) status = ms_sss_kernel_build(&k, d, &o, NULL);
     if (status == MS_OK) status = ms_sss_kernel_measure(&errors, &k, d);
@@ -1281,7 +1278,7 @@ static void memory(void)
     bytes_most = designer;
     CHECK_INT(ms_sss_kernel_measure(&e, &k, d), MS_OK);
     CHECK_LE(bytes_most - designer, 60e3);
-    bytes_refused = 350000; /* only a fit is as large */
+    bytes_refused = 300000; /* only a fit is as large */
     o.model = MS_SSS_GAUSSIANS;
     o.placement = MS_SSS_OPTIMIZED;
     o.tap_count = 33;
@@ -1396,7 +1393,7 @@ static void no_exceptions(void)
                     model == MS_SSS_GAUSSIANS
                 ? 4
                 : 1;
-            if (dense) o.tap_count = MS_SSS_DENSE;
+            if (dense) o.tap_count = model == MS_SSS_IMAGE_OPTIMAL ? 33 : MS_SSS_DENSE;
             CHECK(ms_sss_kernel_build(&k, d, &o, NULL) == MS_OK);
             ms_sss_kernel_measure(&e, &k, d);
             if (fetestexcept(raised))

@@ -60,6 +60,7 @@ static void draw_kernel_options(ms_sss_kernel_options *o)
     o->placement = (ms_sss_placement)attack_index(3);
     o->tap_count = attack_one_in(8) ? MS_SSS_DENSE
                                     : 3 + 2 * (int)attack_int(0, o->placement == MS_SSS_OPTIMIZED ? 15 : 40);
+    if (o->tap_count == MS_SSS_DENSE && o->model == MS_SSS_IMAGE_OPTIMAL) o->model = MS_SSS_PREINTEGRATED;
     o->term_count = attack_one_in(2) ? (int)attack_int(1, MS_SSS_TERMS_MAX) : 0;
     o->no_delta = attack_one_in(4);
     o->dial = attack_one_in(2) ? attack_linear(0, 1) : 0;
@@ -182,7 +183,7 @@ static const ms_sss_kernel *pool_kernel(int i)
         if (i == 9) o.model = MS_SSS_ARTIST;
         if (i == 11) o.model = MS_SSS_SLICE, o.placement = MS_SSS_QUADRATIC;
         if (taps[i] > 33) o.placement = MS_SSS_QUANTILE;
-        if (i == 13) o.tap_count = MS_SSS_DENSE, o.placement = MS_SSS_QUADRATIC;
+        if (i == 13) o.model = MS_SSS_PREINTEGRATED, o.tap_count = MS_SSS_DENSE;
         if (ms_sss_profile_from_burley(&p, i % 2 ? bright : r, i % 2 ? far : d, NULL, NULL) != MS_OK ||
             ms_sss_kernel_make(&pool[i], NULL, p, radius[i % 3], &o, NULL, NULL) != MS_OK)
             attack_fail("a kernel of the pool is refused: %d", i);

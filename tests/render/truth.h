@@ -728,7 +728,7 @@ static const truth_model truth_models[] = {
     {"guided, k = 2, depth sigma 1/3 radius", MS_SSS_GUIDED, 1, MS_SSS_DENSE, 2, 0.333},
     {"pre-integrated", MS_SSS_PREINTEGRATED, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
     {"pre-integrated, depth sigma 1/3 radius", MS_SSS_PREINTEGRATED, 1, MS_SSS_DENSE, 0, 0.333},
-    {"image-optimal", MS_SSS_IMAGE_OPTIMAL, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
+    {"image-optimal, 33 taps", MS_SSS_IMAGE_OPTIMAL, 1, 33, 0, TRUTH_SIGMA},
     {"image-optimal, 7 taps (default)", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0, TRUTH_SIGMA},
     {"image-optimal, 7 taps, depth sigma 1/3 radius", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0, 0.333},
     {"image-optimal, 17 taps", MS_SSS_IMAGE_OPTIMAL, 1, 17, 0, TRUTH_SIGMA},
