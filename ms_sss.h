@@ -351,7 +351,7 @@ typedef struct ms_sss_kernel {
     float reflectance[3];             /* the profile's total; the kernel itself is normalized */
     float profile_radius_mm;          /* radius of 99% of the light of the widest channel; 0: radius_mm */
     float elevation[3];               /* K of ms_sss_elevation; 0: no elevation */
-    float decay[3];                   /* 1/mm, decay of light with depth, see ms_sss_transmittance */
+    float decay[3];                   /* 1/mm, decay of light with depth, see ms_sss_transmission */
     float elevation_axis[3];          /* K of one 1D pass: both passes have the mean of the round kernel */
 } ms_sss_kernel;
 
@@ -447,14 +447,6 @@ MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors
 
 /* ---- translucency ---------------------------------------------------------------------------------------------- */
 
-/* The fraction of light that a slab of this thickness transmits, for light that enters its far side evenly from all
-   directions: T(s) = (1 - R^2) x / (1 - R^2 x^2) (1 - 0.85 (1 - R)^5 (1 - x^0.8)), with x = exp(-decay s) and R the
-   channel's reflectance: the two-stream solution (Kubelka and Munk 1931) with a loss near the surface of dark media. It
-   is within 7% of random walks where R is 0.15 to 0.95 and T above 1e-3; an index of 1.4 inside loses up to 15% more.
-   The profile needs its true reflectance, not one normalized to 1. A channel without light transmits none; nor does a
-   thickness that is NaN. */
-MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness_mm, double out[3]);
-
 /* For an engine's light loop: the light of one lamp that reaches a point which faces away from it, through the object.
      thickness_mm   from the point to where the lamp's light enters the object, along the light: by the shadow map;
                     below 0: 0
@@ -463,8 +455,13 @@ MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness
      light          the lamp's irradiance at the entry, on a plane at a right angle to the light
      out            T(thickness) (1 + (1 / R - 1) max(0, -normal.entry_normal)) max(0, entry_normal.to_light) light,
                     in the filter's units: reflectance or albedo times out leaves the surface
-   out is 0 where the point faces the lamp, where the entry does not, and where the thickness is NaN. Combine it with
-   the filtered light by max: a sum would count the light near the shadow's border twice. */
+   T(s) = (1 - R^2) x / (1 - R^2 x^2) (1 - 0.85 (1 - R)^5 (1 - x^0.8)) is the fraction that a slab transmits of light
+   that enters its far side evenly from all directions, with x = exp(-decay s) and R the channel's reflectance: the
+   two-stream solution (Kubelka and Munk 1931) with a loss near the surface of dark media. It is within 7% of random
+   walks where R is 0.15 to 0.95 and T above 1e-3; an index of 1.4 inside loses up to 15% more. The profile needs its
+   true reflectance, not one normalized to 1.
+   out is 0 where the point faces the lamp, where the entry does not, where R is 0, and where the thickness is NaN.
+   Combine it with the filtered light by max: a sum would count the light near the shadow's border twice. */
 MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm, const float normal[3],
                                 const float entry_normal[3], const float to_light[3], const float light[3],
                                 float out[3]);
@@ -4909,21 +4906,11 @@ static MS_SSS__COLD void ms_sss__mean_distance(const ms_sss_profile *profile, co
     }
 }
 
-/* The decay of ms_sss_transmittance by a channel's reflectance, held below 1, and mean distance. */
+/* The decay of a kernel by the channel's reflectance and mean distance. */
 static double ms_sss__decay_of(double R, double mean)
 {
+    R = R < 0.9999 ? R : 0.9999;
     return R > 0 && mean > 0 ? (1 - R) * (0.52 - 0.6 * log(1 - R) + 0.625 * sqrt(R)) / mean : 0;
-}
-
-static void ms_sss__decay(const ms_sss_profile *profile, double total[3], double decay[3])
-{
-    double radius[3], mean[3], widest = ms_sss__extent(profile, total, radius);
-    int c;
-    ms_sss__mean_distance(profile, total, widest, mean);
-    for (c = 0; c < 3; ++c) {
-        total[c] = total[c] < 0.9999 ? total[c] : 0.9999;
-        decay[c] = ms_sss__decay_of(total[c], mean[c]);
-    }
 }
 
 MS_API double ms_sss_elevation(double reflectance, double index)
@@ -5148,19 +5135,10 @@ static double ms_sss__curve_bands(const ms_sss_designer *d, ms_sss__measurement 
     return most;
 }
 
-static void ms_sss__measure(ms_sss_errors *errors, const ms_sss_kernel *kernel, const ms_sss_designer *designer,
-                            ms_sss__measurement *m)
-{
-    double error[MS_SSS__SIGNALS];
-    ms_sss__kernel_curve(designer, kernel, &m->curve);
-    ms_sss__curve_errors(designer, &m->curve, &m->waves, error);
-    memcpy(errors, error, sizeof error); /* in their order */
-    errors->bands = ms_sss__curve_bands(designer, m);
-}
-
 MS_SSS__COLD MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
                                                     const ms_sss_designer *designer)
 {
+    double error[MS_SSS__SIGNALS];
     ms_sss__measurement *m;
     ms_status status;
     int i;
@@ -5170,7 +5148,10 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const
         if ((double)kernel->offset_mm[i] > 1e6 * designer->cell_mm) return MS_INVALID_ARGUMENT;
     m = (ms_sss__measurement *)ms__alloc(&designer->allocator, sizeof *m);
     if (m == NULL) return MS_OUT_OF_MEMORY;
-    ms_sss__measure(errors, kernel, designer, m);
+    ms_sss__kernel_curve(designer, kernel, &m->curve);
+    ms_sss__curve_errors(designer, &m->curve, &m->waves, error);
+    memcpy(errors, error, sizeof error); /* in their order */
+    errors->bands = ms_sss__curve_bands(designer, m);
     ms__release(&designer->allocator, m, sizeof *m);
     return MS_OK;
 }
@@ -5893,8 +5874,7 @@ static MS_SSS__COLD void ms_sss__store_kernel(const ms_sss_designer *d, const ms
         }
         kernel->delta[c] = (float)v->delta[c];
         kernel->reflectance[c] = (float)d->reflectance[c];
-        kernel->decay[c] = (float)ms_sss__decay_of(d->reflectance[c] < 0.9999 ? d->reflectance[c] : 0.9999,
-                                                   d->mean_mm[c]);
+        kernel->decay[c] = (float)ms_sss__decay_of(d->reflectance[c], d->mean_mm[c]);
         kernel->elevation[c] = (float)ms_sss_elevation(d->reflectance[c], index);
         if (!(both > 0.2 * d->mean_mm[c])) /* terms of both signs leave no mean: pi/4, what an exact separable kernel
                                               would have */
@@ -6014,61 +5994,49 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_e
                                                  ms_error *error)
 {
     ms_sss_designer *designer;
-    ms_sss__measurement *m = NULL;
-    ms_status status = ms_sss_designer_create(&designer, profile, radius_px, allocator, error);
+    ms_sss_kernel made;
+    ms_status status = kernel ? ms_sss_designer_create(&designer, profile, radius_px, allocator, error)
+                              : MS_SSS__REFUSE(error, "kernel is NULL");
     if (status != MS_OK) return status;
-    if (errors != NULL && (m = (ms_sss__measurement *)ms__alloc(&designer->allocator, sizeof *m)) == NULL)
-        status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to measure a kernel");
-    if (status == MS_OK) status = ms_sss_kernel_build(kernel, designer, options, error);
-    if (status == MS_OK && m != NULL) ms_sss__measure(errors, kernel, designer, m);
-    if (m != NULL) ms__release(&designer->allocator, m, sizeof *m);
+    status = ms_sss_kernel_build(&made, designer, options, error);
+    if (status == MS_OK && errors && (status = ms_sss_kernel_measure(errors, &made, designer)) != MS_OK)
+        ms__fail(error, status, 0, "no memory to measure a kernel");
+    if (status == MS_OK) *kernel = made;
     ms_sss_designer_destroy(designer);
     return status;
 }
 
 /* ---- pyramid weights --------------------------------------------------------------------------------------------- */
 
-/* Minimizes x'A x / 2 - b'x for x >= 0, n <= 24, rows of A stride apart: active sets (Lawson and Hanson 1974, Solving
-   Least Squares Problems, chapter 23). */
+/* Minimizes x'A x / 2 - b'x for x >= 0, n <= 24, rows of A stride apart: solves for the variables in use, of which
+   those at or below 0 leave; once all are positive, the one that the residual pulls most enters. */
 static void ms_sss__fit_positive(const double *A, int stride, const double *b, int n, double *x)
 {
     double part[24 * 24], step[24];
-    int in[24], used[24], i, j, round, m, enter;
+    int in[24], used[24], i, j, m, round, enter = 0;
     for (i = 0; i < n; ++i) x[i] = used[i] = 0;
-    for (round = 0; round < 4 * n; ++round) {
-        double best = 1e-9;
-        enter = -1;
-        for (i = 0; i < n; ++i) { /* the variable that the residual pulls most */
-            double w = b[i];
-            for (j = 0; j < n; ++j) w -= A[i * stride + j] * x[j];
-            if (!used[i] && w > best) {
-                best = w;
-                enter = i;
-            }
+    for (round = 0; round < 8 * n && enter >= 0; ++round) {
+        double most = 1e-9;
+        int positive = 1;
+        for (m = 0, i = 0; i < n; ++i)
+            if (used[i]) in[m++] = i;
+        for (i = 0; i < m; ++i) {
+            for (j = 0; j < m; ++j) part[i * m + j] = A[in[i] * stride + in[j]] * (i == j ? 1 + 1e-12 : 1);
+            step[i] = b[in[i]];
         }
-        if (enter < 0) return;
-        used[enter] = 1;
-        for (;;) {
-            double t = 1;
-            int leave = -1;
-            for (m = 0, i = 0; i < n; ++i)
-                if (used[i]) in[m++] = i;
-            for (i = 0; i < m; ++i) {
-                for (j = 0; j < m; ++j) part[i * m + j] = A[in[i] * stride + in[j]] * (i == j ? 1 + 1e-12 : 1);
-                step[i] = b[in[i]];
-            }
-            if (m == 0 || !ms_sss__cholesky_solve(part, step, m)) return;
-            for (i = 0; i < m; ++i) {
-                if (step[i] > 0) continue;
-                if (x[in[i]] / (x[in[i]] - step[i]) <= t) {
-                    t = x[in[i]] / (x[in[i]] - step[i]);
-                    leave = in[i];
-                }
-            }
-            for (i = 0; i < m; ++i) x[in[i]] += t * (step[i] - x[in[i]]);
-            if (leave < 0) break;
-            x[leave] = used[leave] = 0;
+        if (!ms_sss__cholesky_solve(part, step, m)) return;
+        for (i = 0; i < m; ++i)
+            if (!(step[i] > 0)) positive = used[in[i]] = 0;
+        if (!positive) continue;
+        for (i = 0, j = 0; i < n; ++i) x[i] = used[i] ? step[j++] : 0;
+        for (enter = -1, i = 0; i < n; ++i) {
+            double pull = b[i];
+            for (j = 0; j < n; ++j) pull -= A[i * stride + j] * x[j];
+            if (used[i] || pull <= most) continue;
+            most = pull;
+            enter = i;
         }
+        if (enter >= 0) used[enter] = 1;
     }
 }
 
@@ -6184,14 +6152,6 @@ MS_SSS__COLD MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const
         }
     }
     return MS_OK;
-}
-MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness_mm, double out[3])
-{
-    double total[3], decay[3];
-    int c;
-    if (profile == NULL || out == NULL) return;
-    ms_sss__decay(profile, total, decay);
-    for (c = 0; c < 3; ++c) out[c] = ms_sss__slab(total[c], decay[c], thickness_mm);
 }
 
 #undef MS_SSS__PI

@@ -635,9 +635,6 @@ static void family_profiles(void)
             last_disc[c] = disc[c];
             last_strip[c] = strip[c];
         }
-        ms_sss_transmittance(p, r, v);
-        for (c = 0; c < 3; ++c)
-            if (!(v[c] >= 0 && v[c] <= 1 + 1e-9)) attack_fail("transmittance: %.9g of %.4g mm", v[c], r);
     }
     {
         const double part = attack_linear(0, 1);
