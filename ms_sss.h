@@ -4284,67 +4284,61 @@ static double ms_sss__disc_corner(double x, double y, double r)
 
 typedef enum ms_sss__profile_kind { MS_SSS__RINGS, MS_SSS__GAUSSIANS, MS_SSS__BURLEY } ms_sss__profile_kind;
 
+/* R_d = mean + slope (r^2 - middle), where middle is that of the ring's r^2. */
+typedef struct ms_sss__ring {
+    double edge;      /* inner radius */
+    double inside[3]; /* energy within it */
+    double mean[3], slope[3];
+} ms_sss__ring;
+
 struct ms_sss_profile {
     ms_sss__profile_kind kind;
-    int count;                  /* of rings or Gaussians */
-    double *edge;               /* [count + 1] radii */
-    double *mean[3], *slope[3]; /* [count] R_d = mean + slope (r^2 - middle), middle of the ring's r^2 */
-    double *inside[3];          /* [count + 1] energy within edge[i] */
-    double length[MS_SSS_GAUSSIANS_MAX][3],
-        weight[MS_SSS_GAUSSIANS_MAX][3]; /* sigma; Burley: d and reflectance, count 1 */
+    int count;                              /* of rings or Gaussians */
+    ms_sss__ring *ring;                     /* [count + 1] behind the profile; of the last one the edge and inside */
+    double length[MS_SSS_GAUSSIANS_MAX][3]; /* sigma; Burley: d, count 1 */
+    double weight[MS_SSS_GAUSSIANS_MAX][3]; /* Burley: reflectance */
     size_t bytes;
     ms_allocator allocator;
 };
 
-/* The arrays of a profile behind it. */
-static void ms_sss__profile_layout(ms_sss_profile *p, ms__arena *arena)
-{
-    const size_t rings = p->kind == MS_SSS__RINGS ? (size_t)p->count : 0;
-    int c;
-    ms__take(arena, 1, sizeof *p);
-    p->edge = (double *)ms__take(arena, rings + 1, sizeof(double));
-    for (c = 0; c < 3; ++c) {
-        p->mean[c] = (double *)ms__take(arena, rings, sizeof(double));
-        p->slope[c] = (double *)ms__take(arena, rings, sizeof(double));
-        p->inside[c] = (double *)ms__take(arena, rings + 1, sizeof(double));
-    }
-}
-
 static ms_status ms_sss__profile_alloc(ms_sss_profile **out, ms_sss__profile_kind kind, int count,
                                        const ms_allocator *allocator, ms_error *error)
 {
-    ms__arena arena = {NULL, 0};
-    ms_sss_profile profile;
-    memset(&profile, 0, sizeof profile);
-    profile.kind = kind;
-    profile.count = count;
-    if (allocator != NULL) profile.allocator = *allocator;
-    ms_sss__profile_layout(&profile, &arena);
-    profile.bytes = arena.used;
-    arena.base = (char *)ms__alloc(allocator, arena.used);
-    if (!arena.base) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a profile of %z bytes", profile.bytes);
-    arena.used = 0;
-    ms_sss__profile_layout(&profile, &arena);
-    *out = (ms_sss_profile *)(void *)arena.base;
-    **out = profile;
+    const size_t rings = kind == MS_SSS__RINGS ? (size_t)count + 1 : 0;
+    const size_t bytes = ms__size_add(sizeof(ms_sss_profile), ms__size_mul(rings, sizeof(ms_sss__ring)));
+    ms_sss_profile *p = (ms_sss_profile *)ms__alloc(allocator, bytes);
+    if (!p) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a profile of %z bytes", bytes);
+    memset(p, 0, bytes);
+    p->kind = kind;
+    p->count = count;
+    p->ring = (ms_sss__ring *)(void *)(p + 1);
+    p->bytes = bytes;
+    if (allocator != NULL) p->allocator = *allocator;
+    *out = p;
     return MS_OK;
+}
+
+/* r^2 at the outer edge of ring i; half the sum of both edges'. */
+static double ms_sss__outer2(const ms_sss_profile *p, int i) { return p->ring[i + 1].edge * p->ring[i + 1].edge; }
+static double ms_sss__middle2(const ms_sss_profile *p, int i)
+{
+    return 0.5 * (p->ring[i].edge * p->ring[i].edge + ms_sss__outer2(p, i));
 }
 
 /* Energy of the part of a ring with r^2 in [ring's first, s]: pi times the integral of R_d over r^2. */
 static double ms_sss__ring_energy(const ms_sss_profile *p, int c, int i, double s)
 {
-    double s0 = p->edge[i] * p->edge[i], s1 = p->edge[i + 1] * p->edge[i + 1];
-    return MS_SSS__PI * (s - s0) * (p->mean[c][i] + p->slope[c][i] * 0.5 * (s - s1));
+    const ms_sss__ring *ring = &p->ring[i];
+    return MS_SSS__PI * (s - ring->edge * ring->edge) *
+        (ring->mean[c] + ring->slope[c] * 0.5 * (s - ms_sss__outer2(p, i)));
 }
 
 static void ms_sss__profile_accumulate(ms_sss_profile *p)
 {
     int c, i;
-    for (c = 0; c < 3; ++c) {
-        p->inside[c][0] = 0;
-        for (i = 0; i < p->count; ++i)
-            p->inside[c][i + 1] = p->inside[c][i] + ms_sss__ring_energy(p, c, i, p->edge[i + 1] * p->edge[i + 1]);
-    }
+    for (i = 0; i < p->count; ++i)
+        for (c = 0; c < 3; ++c)
+            p->ring[i + 1].inside[c] = p->ring[i].inside[c] + ms_sss__ring_energy(p, c, i, ms_sss__outer2(p, i));
 }
 
 static MS_SSS__COLD ms_status ms_sss__check_table(int count, int least, const double *radius, int radii,
@@ -4385,20 +4379,15 @@ MS_SSS__COLD MS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile
     status = ms_sss__check_table(count, 1, edge_mm, count + 1, value, stride, error);
     if (status == MS_OK) status = ms_sss__profile_alloc(&p, MS_SSS__RINGS, count, allocator, error);
     if (status != MS_OK) return status;
-    memcpy(p->edge, edge_mm, sizeof *edge_mm * ((size_t)count + 1));
+    for (i = 0; i <= count; ++i) p->ring[i].edge = edge_mm[i];
     for (c = 0; c < 3; ++c) {
-        double *mean = p->mean[c];
-        for (i = 0; i < count; ++i) mean[i] = value[c][(size_t)i * (size_t)stride];
-        for (i = 0; i < count; ++i) { /* van Leer's limited slope over r^2: zero at extrema, never below R_d = 0 */
-            double s0 = p->edge[i] * p->edge[i], s1 = p->edge[i + 1] * p->edge[i + 1], left, right, slope, most;
-            p->slope[c][i] = 0;
-            if (i + 1 == count) break;
-            right = (mean[i + 1] - mean[i]) / (0.5 * (p->edge[i + 2] * p->edge[i + 2] - s0));
-            left = i == 0 ? right : (mean[i] - mean[i - 1]) / (0.5 * (s1 - p->edge[i - 1] * p->edge[i - 1]));
-            if (left * right <= 0) continue;
-            slope = 2 * left * right / (left + right);
-            most = 2 * mean[i] / (s1 - s0);
-            p->slope[c][i] = slope > most ? most : slope < -most ? -most : slope;
+        for (i = 0; i < count; ++i) p->ring[i].mean[c] = value[c][(size_t)i * (size_t)stride];
+        for (i = 0; i + 1 < count; ++i) { /* van Leer's limited slope over r^2: zero at extrema, never below R_d = 0 */
+            const double middle = ms_sss__middle2(p, i), mean = p->ring[i].mean[c];
+            const double right = (p->ring[i + 1].mean[c] - mean) / (ms_sss__middle2(p, i + 1) - middle);
+            const double left = i == 0 ? right : (mean - p->ring[i - 1].mean[c]) / (middle - ms_sss__middle2(p, i - 1));
+            const double most = mean / (ms_sss__outer2(p, i) - middle);
+            if (left * right > 0) p->ring[i].slope[c] = fmax(-most, fmin(2 * left * right / (left + right), most));
         }
     }
     ms_sss__profile_accumulate(p);
@@ -4421,15 +4410,14 @@ MS_SSS__COLD MS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profi
     inner = r_mm[0] > 0; /* one more ring, inside the first sample */
     status = ms_sss__profile_alloc(&p, MS_SSS__RINGS, count - 1 + inner, allocator, error);
     if (status != MS_OK) return status;
-    p->edge[0] = 0;
-    memcpy(p->edge + inner, r_mm, sizeof *r_mm * (size_t)count);
-    for (c = 0; c < 3; ++c) {
-        p->mean[c][0] = value[c][0];
-        p->slope[c][0] = 0;
-        for (i = 0; i + 1 < count; ++i) {
+    for (c = 0; c < 3; ++c) p->ring[0].mean[c] = value[c][0];
+    for (i = 0; i < count; ++i) {
+        ms_sss__ring *ring = &p->ring[i + inner];
+        ring->edge = r_mm[i];
+        for (c = 0; c < 3 && i + 1 < count; ++c) {
             double v0 = value[c][(size_t)i * (size_t)stride], v1 = value[c][((size_t)i + 1) * (size_t)stride];
-            p->mean[c][i + inner] = 0.5 * (v0 + v1);
-            p->slope[c][i + inner] = (v1 - v0) / ((r_mm[i + 1] - r_mm[i]) * (r_mm[i + 1] + r_mm[i]));
+            ring->mean[c] = 0.5 * (v0 + v1);
+            ring->slope[c] = (v1 - v0) / ((r_mm[i + 1] - r_mm[i]) * (r_mm[i + 1] + r_mm[i]));
         }
     }
     ms_sss__profile_accumulate(p);
@@ -4438,30 +4426,29 @@ MS_SSS__COLD MS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profi
 }
 
 static MS_SSS__COLD ms_status ms_sss__from_lengths(ms_sss_profile **profile, ms_sss__profile_kind kind, int count,
-                                                   const double (*length_mm)[3], const double (*weight)[3],
+                                                   const double (*length)[3], const double (*weight)[3],
                                                    const ms_allocator *allocator, ms_error *error)
 {
+    const int burley = kind == MS_SSS__BURLEY;
+    const char *const length_name = burley ? "d_mm" : "sigma_mm",
+                      *const weight_name = burley ? "reflectance" : "weight";
     ms_status status;
     int i, c;
     if (profile == NULL) return MS_SSS__REFUSE(error, "profile is NULL");
     *profile = NULL;
-    if (length_mm == NULL) return MS_SSS__REFUSE(error, "%s is NULL", kind == MS_SSS__BURLEY ? "d_mm" : "sigma_mm");
-    if (weight == NULL) return MS_SSS__REFUSE(error, "%s is NULL", kind == MS_SSS__BURLEY ? "reflectance" : "weight");
+    if (length == NULL) return MS_SSS__REFUSE(error, "%s is NULL", length_name);
+    if (weight == NULL) return MS_SSS__REFUSE(error, "%s is NULL", weight_name);
     if (count < 1 || count > MS_SSS_GAUSSIANS_MAX)
         return MS_SSS__REFUSE(error, "count is %d; 1 to %d expected", count, MS_SSS_GAUSSIANS_MAX);
     for (i = 0; i < count; ++i)
         for (c = 0; c < 3; ++c)
-            if (!(length_mm[i][c] >= 1e-9 && length_mm[i][c] <= 1e9 && weight[i][c] >= 0 && weight[i][c] <= 1e9))
-                return kind == MS_SSS__BURLEY
-                    ? ms__fail(error, MS_INVALID_ARGUMENT, (size_t)c,
-                               "channel %d: d_mm %g, reflectance %g; 1e-9 to 1e9 and 0 to 1e9 expected", c,
-                               length_mm[i][c], weight[i][c])
-                    : ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
-                               "Gaussian %d, channel %d: sigma_mm %g, weight %g; 1e-9 to 1e9 and 0 to 1e9 expected", i,
-                               c, length_mm[i][c], weight[i][c]);
+            if (!(length[i][c] >= 1e-9 && length[i][c] <= 1e9 && weight[i][c] >= 0 && weight[i][c] <= 1e9))
+                return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)(burley ? c : i),
+                                "entry %d, channel %d: %s %g, %s %g; 1e-9 to 1e9 and 0 to 1e9 expected", i, c,
+                                length_name, length[i][c], weight_name, weight[i][c]);
     status = ms_sss__profile_alloc(profile, kind, count, allocator, error);
     if (status != MS_OK) return status;
-    memcpy((*profile)->length, length_mm, sizeof *length_mm * (size_t)count);
+    memcpy((*profile)->length, length, sizeof *length * (size_t)count);
     memcpy((*profile)->weight, weight, sizeof *weight * (size_t)count);
     return MS_OK;
 }
@@ -4498,10 +4485,10 @@ MS_API void ms_sss_profile_destroy(ms_sss_profile *profile)
 static int ms_sss__ring_of(const ms_sss_profile *p, double r)
 {
     int low = -1, high = p->count;
-    if (r >= p->edge[p->count]) return p->count;
+    if (r >= p->ring[p->count].edge) return p->count;
     while (high - low > 1) {
         int middle = low + (high - low) / 2;
-        if (p->edge[middle] <= r) low = middle;
+        if (p->ring[middle].edge <= r) low = middle;
         else high = middle;
     }
     return low;
@@ -4516,8 +4503,7 @@ MS_SSS__COLD MS_API void ms_sss_profile_value(const ms_sss_profile *p, double r,
         if (p->kind == MS_SSS__RINGS) {
             i = ms_sss__ring_of(p, r);
             if (i < 0 || i >= p->count) continue;
-            out[c] = p->mean[c][i] +
-                p->slope[c][i] * (r * r - 0.5 * (p->edge[i] * p->edge[i] + p->edge[i + 1] * p->edge[i + 1]));
+            out[c] = p->ring[i].mean[c] + p->ring[i].slope[c] * (r * r - ms_sss__middle2(p, i));
             if (out[c] < 0) out[c] = 0; /* rounding */
             continue;
         }
@@ -4537,7 +4523,7 @@ MS_API void ms_sss_profile_disc(const ms_sss_profile *p, double r, double out[3]
         out[c] = 0;
         if (p->kind == MS_SSS__RINGS) {
             i = ms_sss__ring_of(p, r);
-            if (i >= 0) out[c] = p->inside[c][i];
+            if (i >= 0) out[c] = p->ring[i].inside[c];
             if (i >= 0 && i < p->count) out[c] += ms_sss__ring_energy(p, c, i, r * r);
             if (out[c] < 0) out[c] = 0; /* rounding */
             continue;
@@ -4553,7 +4539,7 @@ MS_API void ms_sss_profile_disc(const ms_sss_profile *p, double r, double out[3]
 MS_API void ms_sss_profile_reflectance(const ms_sss_profile *p, double out[3])
 {
     if (p == NULL || out == NULL) return;
-    ms_sss_profile_disc(p, p->kind == MS_SSS__RINGS ? p->edge[p->count] : 1e30, out);
+    ms_sss_profile_disc(p, p->kind == MS_SSS__RINGS ? p->ring[p->count].edge : 1e30, out);
 }
 
 MS_SSS__COLD MS_API void ms_sss_profile_radius(const ms_sss_profile *p, double fraction, double out[3])
@@ -4610,13 +4596,13 @@ MS_SSS__COLD MS_API void ms_sss_profile_line(const ms_sss_profile *p, double x, 
             i = ms_sss__ring_of(p, x);
             if (i < 0) {
                 i = 0;
-                u0 = sqrt((p->edge[0] - x) * (p->edge[0] + x));
+                u0 = sqrt((p->ring[0].edge - x) * (p->ring[0].edge + x));
             }
             for (; i < p->count; ++i) { /* r = sqrt(x^2 + u^2) runs over the ring as u runs from u0 to u1 */
-                double u1 = sqrt((p->edge[i + 1] - x) * (p->edge[i + 1] + x));
-                double middle = 0.5 * (p->edge[i] * p->edge[i] + p->edge[i + 1] * p->edge[i + 1]);
-                double mean = p->mean[c][i] + p->slope[c][i] * (x * x - middle);
-                out[c] += ms_sss__chord(mean, p->slope[c][i], u1) - ms_sss__chord(mean, p->slope[c][i], u0);
+                const double u1 = sqrt((p->ring[i + 1].edge - x) * (p->ring[i + 1].edge + x));
+                const double slope = p->ring[i].slope[c];
+                const double mean = p->ring[i].mean[c] + slope * (x * x - ms_sss__middle2(p, i));
+                out[c] += ms_sss__chord(mean, slope, u1) - ms_sss__chord(mean, slope, u0);
                 u0 = u1;
             }
             continue;
@@ -4641,23 +4627,23 @@ MS_SSS__COLD MS_API void ms_sss_profile_strip(const ms_sss_profile *p, double x,
             double angle0 = 0.5 * MS_SSS__PI, u0 = 0, s0 = x * x;
             i = ms_sss__ring_of(p, x);
             if (i < 0) {
+                const double r = p->ring[0].edge;
                 i = 0;
-                s0 = p->edge[0] * p->edge[0];
-                u0 = sqrt((p->edge[0] - x) * (p->edge[0] + x));
-                angle0 = p->edge[0] > 0 ? asin(x / p->edge[0]) : angle0;
+                s0 = r * r;
+                u0 = sqrt((r - x) * (r + x));
+                angle0 = r > 0 ? asin(x / r) : angle0;
             } else {
-                out[c] = p->inside[c][i];
+                out[c] = p->ring[i].inside[c];
                 if (i < p->count) out[c] += ms_sss__ring_energy(p, c, i, s0);
             }
             for (; i < p->count; ++i) {
-                double r = p->edge[i + 1], s1 = r * r, u1 = sqrt((r - x) * (r + x)), angle1 = asin(x / r);
-                double middle = 0.5 * (p->edge[i] * p->edge[i] + s1);
+                double r = p->ring[i + 1].edge, s1 = r * r, u1 = sqrt((r - x) * (r + x)), angle1 = asin(x / r);
                 /* integrals over s = r^2 of asin(x/r) and of s asin(x/r) */
                 double g0 = s1 * angle1 - s0 * angle0 + x * (u1 - u0);
                 double g1 = 0.5 *
                     (s1 * s1 * angle1 - s0 * s0 * angle0 + x * (u1 * u1 * u1 - u0 * u0 * u0) / 3 +
                      x * x * x * (u1 - u0));
-                out[c] += 2 * (p->mean[c][i] * g0 + p->slope[c][i] * (g1 - middle * g0));
+                out[c] += 2 * (p->ring[i].mean[c] * g0 + p->ring[i].slope[c] * (g1 - ms_sss__middle2(p, i) * g0));
                 s0 = s1;
                 u0 = u1;
                 angle0 = angle1;
