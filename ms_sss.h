@@ -364,7 +364,7 @@ typedef enum ms_sss_model {
     MS_SSS_SVD_NORMALIZED = 4, /* the same, scaled to keep the energy */
     MS_SSS_GAUSSIANS = 5,      /* best sum of term_count Gaussians (5.9) */
     MS_SSS_GUIDED = 6,         /* guided optimization (5.14) with guide_k */
-    MS_SSS_ARTIST = 7,         /* two Gaussians along the axes (5.6), as given or fitted to a_p */
+    MS_SSS_ARTIST = 7,         /* two Gaussians along the axes (5.6), fitted to a_p */
     MS_SSS_SLICE = 8           /* R_d sampled along the axis: a model of the released shader, the figures' peer */
 } ms_sss_model;
 
@@ -375,23 +375,16 @@ typedef enum ms_sss_placement {
     MS_SSS_QUADRATIC = 2  /* offsets grow with the square of their index, as in the thesis */
 } ms_sss_placement;       /* in the last two each weight is the integral of the kernel over its cell */
 
-/* The two-Gaussian model (5.6). All zero: fitted to a_p. */
-typedef struct ms_sss_artist {
-    double sigma_near_mm[3], sigma_far_mm[3]; /* standard deviations */
-    double near_weight[3];                    /* w: share of the near Gaussian, 0 to 1 */
-} ms_sss_artist;
-
 /* Zero is the default of every field; ms_sss_kernel_defaults() returns that. */
 typedef struct ms_sss_kernel_options {
     int tap_count;  /* of a pass: odd, 3 to 33 for MS_SSS_OPTIMIZED, else to MS_SSS_TAPS_MAX; 0: 7; or MS_SSS_DENSE */
     int term_count; /* 1 to MS_SSS_TERMS_MAX; 0: 1 (residual: 2) */
     ms_sss_model model;
     ms_sss_placement placement;
-    int no_delta;         /* 1: no weight on the unblurred input */
-    double dial;          /* image-optimal only: 0 texture ... 1 a_p, exact on axis-parallel signals */
-    double guide_k;       /* guided only: 0 near scattering ... 4 far scattering; the thesis calls 2 neutral */
-    ms_sss_artist artist; /* artist only */
-    double index;         /* of refraction, 1 to 2, for the kernel's elevation; 0: 1 */
+    int no_delta;   /* 1: no weight on the unblurred input */
+    double dial;    /* image-optimal only: 0 texture ... 1 a_p, exact on axis-parallel signals */
+    double guide_k; /* guided only: 0 near scattering ... 4 far scattering; the thesis calls 2 neutral */
+    double index;   /* of refraction, 1 to 2, for the kernel's elevation; 0: 1 */
 } ms_sss_kernel_options;
 
 MS_API ms_sss_kernel_options ms_sss_kernel_defaults(void);
@@ -413,8 +406,15 @@ MS_API void ms_sss_designer_destroy(ms_sss_designer *designer);
 MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *designer,
                                      const ms_sss_kernel_options *options, ms_error *error);
 
-/* The two-Gaussian model of least squares to a_p, for artists to start from. A channel without light: near_weight 1 and
-   sigmas of a thousandth of a cell. MS_INVALID_ARGUMENT: a NULL. */
+/* The two-Gaussian model (5.6): standard deviations, and the share of the near Gaussian, 0 to 1. Its kernel is the
+   pre-integrated one of ms_sss_profile_from_gaussians. */
+typedef struct ms_sss_artist {
+    double sigma_near_mm[3], sigma_far_mm[3];
+    double near_weight[3];
+} ms_sss_artist;
+
+/* The model of least squares to a_p, for artists to start from. A channel without light: near_weight 1 and sigmas of a
+   thousandth of a cell. MS_INVALID_ARGUMENT: a NULL. */
 MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *designer, ms_sss_artist *artist);
 
 /* ---- errors ---------------------------------------------------------------------------------------------------- */
@@ -5744,10 +5744,8 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
         } else if (o->model == MS_SSS_GUIDED) {
             status = ms_sss__guided(d, c, o->guide_k, w);
         } else if (o->model == MS_SSS_ARTIST) {
-            const ms_sss_artist *a = &o->artist;
-            double fit[3] = {a->sigma_near_mm[c] / d->cell_mm, a->sigma_far_mm[c] / d->cell_mm, a->near_weight[c]};
-            double far_cells[MS_SSS__CELLS_MAX + 1];
-            if (fit[0] == 0) ms_sss__fit_near_far(d, c, w, fit);
+            double fit[3], far_cells[MS_SSS__CELLS_MAX + 1];
+            ms_sss__fit_near_far(d, c, w, fit);
             ms_sss__gaussian_cells(fit[0], M, w, slope);
             ms_sss__gaussian_cells(fit[1], M, far_cells, slope);
             for (i = 0; i <= M; ++i) w[i] = fit[2] * w[i] + (1 - fit[2]) * far_cells[i];
@@ -5877,7 +5875,6 @@ static MS_SSS__COLD ms_status ms_sss__check_kernel_options(const ms_sss_kernel_o
 {
     const int dense = o->tap_count == MS_SSS_DENSE, most = o->placement == MS_SSS_OPTIMIZED ? 33 : MS_SSS_TAPS_MAX;
     ms_status status;
-    int c;
     {
         const ms_sss__range ranges[] = {{"model", (double)o->model, 0, (double)MS_SSS_SLICE},
                                         {"placement", (double)o->placement, 0, (double)MS_SSS_QUADRATIC},
@@ -5891,17 +5888,6 @@ static MS_SSS__COLD ms_status ms_sss__check_kernel_options(const ms_sss_kernel_o
         return MS_SSS__REFUSE(error, "tap_count is MS_SSS_DENSE; 3 to 33 expected for an image-optimal kernel");
     if (!dense && (o->tap_count < 3 || o->tap_count > most || o->tap_count % 2 == 0))
         return MS_SSS__REFUSE(error, "tap_count is %d; odd, 3 to %d, or MS_SSS_DENSE expected", o->tap_count, most);
-    for (c = 0; c < 3; ++c) {
-        const ms_sss_artist *a = &o->artist;
-        int fitted = a->sigma_near_mm[c] == 0 && a->sigma_far_mm[c] == 0 && a->near_weight[c] == 0;
-        if (!fitted &&
-            !(a->sigma_near_mm[c] > 0 && a->sigma_near_mm[c] <= 1e6 && a->sigma_far_mm[c] > 0 &&
-              a->sigma_far_mm[c] <= 1e6 && a->near_weight[c] >= 0 && a->near_weight[c] <= 1))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)c,
-                            "artist, channel %d: sigma_near_mm %g, sigma_far_mm %g, near_weight %g; "
-                            "sigmas above 0, at most 1e6, a weight of 0 to 1, or all 0 expected",
-                            c, a->sigma_near_mm[c], a->sigma_far_mm[c], a->near_weight[c]);
-    }
     return MS_OK;
 }
 

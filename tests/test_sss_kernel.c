@@ -669,6 +669,34 @@ static void reference_kernels(void)
 static const ms_sss_artist close_fit = {{0.034, 0.029, 0.016}, {1, 0.48, 0.2}, {0.37, 0.37, 0.37}};
 static const ms_sss_artist production = {{0.25, 0.08, 0.02}, {1, 0.3, 0.05}, {0.6, 0.6, 0.6}};
 
+/* The kernel of a two-Gaussian model by its own profile, with d's cells. */
+static ms_sss_errors artist_errors(const ms_sss_artist *a, const ms_sss_designer *d)
+{
+    const ms_sss_kernel_options o = dense_model(MS_SSS_PREINTEGRATED, 1);
+    static ms_sss_kernel k;
+    double sigma[2][3], weight[2][3], radius[3];
+    ms_sss_designer *own;
+    ms_sss_profile *p;
+    ms_sss_errors e;
+    int c;
+    for (c = 0; c < 3; ++c) {
+        sigma[0][c] = a->sigma_near_mm[c];
+        sigma[1][c] = a->sigma_far_mm[c];
+        weight[0][c] = a->near_weight[c];
+        weight[1][c] = 1 - a->near_weight[c];
+    }
+    CHECK_INT(ms_sss_profile_from_gaussians(&p, 2, (const double(*)[3])sigma, (const double(*)[3])weight, NULL, NULL),
+              MS_OK);
+    ms_sss_kernel_build(&k, d, &o, NULL);
+    ms_sss_profile_radius(p, 0.99, radius);
+    own = designer_for(p, fmax(radius[0], fmax(radius[1], radius[2])) / (double)k.offset_mm[1] - 0.5);
+    CHECK_INT(ms_sss_kernel_build(&k, own, &o, NULL), MS_OK);
+    CHECK_INT(ms_sss_kernel_measure(&e, &k, d), MS_OK);
+    ms_sss_designer_destroy(own);
+    ms_sss_profile_destroy(p);
+    return e;
+}
+
 static void reference_errors(void)
 {
     static const struct {
@@ -692,8 +720,8 @@ static void reference_errors(void)
                {"sog3", MS_SSS_GAUSSIANS, 3, 1, 0.08},
                {"sog4", MS_SSS_GAUSSIANS, 4, 1, 0.08},
                {"artist_LSfit_to_ap", MS_SSS_ARTIST, 1, 0, 0.08},
-               {"artist_close_mm", MS_SSS_ARTIST, 1, 0, 0.08},
-               {"artist_production_mm", MS_SSS_ARTIST, 1, 0, 0.08},
+               {"artist_close_mm", MS_SSS_PREINTEGRATED, 1, 0, 0.08},
+               {"artist_production_mm", MS_SSS_PREINTEGRATED, 1, 0, 0.08},
                {"guided_k0", MS_SSS_GUIDED, 1, 0, 0.08}};
     json *j = json_load("tests/data/sss_errors_deon_skin.json");
     const json *models = json_get(json_get(j, "deon_skin"), "models");
@@ -712,9 +740,9 @@ static void reference_errors(void)
         double found[5];
         int s;
         if (row[n].model == MS_SSS_IMAGE_OPTIMAL) o.tap_count = 33, o.no_delta = 0; /* the study: a tap every cell */
-        if (strcmp(row[n].name, "artist_close_mm") == 0) o.artist = close_fit;
-        if (strcmp(row[n].name, "artist_production_mm") == 0) o.artist = production;
-        e = built(&k, d, &o);
+        if (strcmp(row[n].name, "artist_close_mm") == 0) e = artist_errors(&close_fit, d);
+        else if (strcmp(row[n].name, "artist_production_mm") == 0) e = artist_errors(&production, d);
+        else e = built(&k, d, &o);
         found[0] = e.vertical_step;
         found[1] = e.diagonal_step;
         found[2] = e.small_disk;
@@ -1170,8 +1198,8 @@ static void refused_options(void)
     ms_sss_profile *skin = skin_profile(), *black;
     ms_sss_designer *d = designer_for(skin, 8), *none = d;
     ms_sss_kernel_options o[11];
-    const char *const word[11] = {"tap_count", "tap_count", "tap_count", "term_count", "term_count", "dial",
-                                  "dial",      "guide_k",   "model",     "placement",  "artist"};
+    const char *const word[11] = {"tap_count", "tap_count", "tap_count", "term_count", "term_count",  "dial",
+                                  "dial",      "guide_k",   "model",     "placement",  "MS_SSS_DENSE"};
     ms_error error;
     int i;
     for (i = 0; i < 11; ++i) o[i] = ms_sss_kernel_defaults();
@@ -1185,7 +1213,7 @@ static void refused_options(void)
     o[7].guide_k = 5;
     o[8].model = (ms_sss_model)9;
     o[9].placement = (ms_sss_placement)3;
-    o[10].artist.sigma_far_mm[1] = 1;
+    o[10].tap_count = MS_SSS_DENSE;
     memset(&untouched, 5, sizeof untouched);
     k = untouched;
     for (i = 0; i < 11; ++i) {

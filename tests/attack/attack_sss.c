@@ -54,7 +54,6 @@ static ms_status draw_profile(ms_sss_profile **p, double base_mm, ms_error *erro
 
 static void draw_kernel_options(ms_sss_kernel_options *o)
 {
-    int c;
     *o = ms_sss_kernel_defaults();
     o->model = (ms_sss_model)attack_index(MODELS);
     o->placement = (ms_sss_placement)attack_index(3);
@@ -66,12 +65,6 @@ static void draw_kernel_options(ms_sss_kernel_options *o)
     o->dial = attack_one_in(2) ? attack_linear(0, 1) : 0;
     o->guide_k = attack_linear(0, 4);
     o->index = attack_one_in(2) ? attack_linear(1, 2) : 0;
-    if (attack_one_in(2))
-        for (c = 0; c < 3; ++c) {
-            o->artist.sigma_near_mm[c] = attack_log(1e-3, 10);
-            o->artist.sigma_far_mm[c] = attack_log(1e-3, 100);
-            o->artist.near_weight[c] = attack_linear(0, 1);
-        }
     attack_say("model %d placement %d taps %d terms %d no_delta %d dial %.3g k %.3g; ", (int)o->model,
                (int)o->placement, o->tap_count, o->term_count, o->no_delta, o->dial, o->guide_k);
 }
