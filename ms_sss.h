@@ -4670,6 +4670,7 @@ enum {
     MS_SSS__HALF = 256,
     MS_SSS__OCTANT = (MS_SSS__HALF + 1) * (MS_SSS__HALF + 2) / 2,
     MS_SSS__CELLS_MAX = 128,
+    MS_SSS__ROW_MAX = MS_SSS__CELLS_MAX + 1,
     MS_SSS__RINGS_MAX = 512,
     MS_SSS__SIGNALS = 6,    /* of ms_sss_errors */
     MS_SSS__TEXTURE = 5,    /* the last of them */
@@ -4681,16 +4682,16 @@ enum {
 struct ms_sss_designer {
     int cells; /* from the center to the edge of the square that holds the kernel */
     double cell_mm;
-    double reflectance[3], width[3];  /* 99% radius of each channel, cells */
-    double mean_mm[3];                /* distance between entry and exit */
-    int widest;                       /* channel */
-    double cosine[MS_SSS__SIZE];      /* cos(2 pi i / 512) */
-    double variance[MS_SSS__SIGNALS]; /* of the signals after the true convolution, channels summed */
-    double *cell[3];                  /* [cells + 1][cells + 1], the sum over all quadrants is 1 */
-    double *slice[3];                 /* [cells + 1] R_d along the axis, any scale */
-    double *spectrum[3];              /* [OCTANT] of cell */
-    float *power[MS_SSS__SIGNALS];    /* [OCTANT] |signal|^2, summed over the 8 bins that share a value */
-    size_t bytes;
+    double reflectance[3], width[3];                   /* 99% radius of each channel, cells */
+    double mean_mm[3];                                 /* distance between entry and exit */
+    int widest;                                        /* channel */
+    double cosine[MS_SSS__SIZE];                       /* cos(2 pi i / 512) */
+    double variance[MS_SSS__SIGNALS];                  /* of the signals after the true convolution, channels summed */
+    double cell[3][MS_SSS__ROW_MAX * MS_SSS__ROW_MAX]; /* [cells + 1][cells + 1], the sum over all quadrants is 1 */
+    double slice[3][MS_SSS__ROW_MAX];                  /* [cells + 1] R_d along the axis, any scale */
+    double spectrum[3][MS_SSS__OCTANT];                /* of cell */
+    float power[MS_SSS__SIGNALS][MS_SSS__OCTANT];      /* |signal|^2, summed over the 8 bins that share a value */
+    double columns[(MS_SSS__HALF + 1) * MS_SSS__ROW_MAX]; /* [257][cells + 1], scratch of the spectra */
     ms_allocator allocator;
 };
 
@@ -4714,9 +4715,11 @@ static int ms_sss__thin_rings(double outer, double *edge)
     return n - 1;
 }
 
-/* Integrals of R_d over the square cells of size h: [cells + 1][cells + 1] a channel, scaled to a total of 1. */
-static void ms_sss__fill_cells(const ms_sss_profile *p, int cells, double h, double *const out[3])
+/* Integrals of R_d over the square cells, scaled to a total of 1. */
+static void ms_sss__fill_cells(ms_sss_designer *d, const ms_sss_profile *p)
 {
+    const int cells = d->cells;
+    const double h = d->cell_mm;
     double edge[MS_SSS__RINGS_MAX], density[MS_SSS__RINGS_MAX][3], inside[3] = {0, 0, 0}, disc[3], total;
     int rings = ms_sss__thin_rings(1.4143 * (cells + 0.5), edge), row = cells + 1, i, j, k, c;
     for (k = 0; k < rings; ++k) { /* energy between two radii over the ring's area */
@@ -4730,60 +4733,57 @@ static void ms_sss__fill_cells(const ms_sss_profile *p, int cells, double h, dou
         for (j = 0; j <= i; ++j) {
             double x0 = i - 0.5, x1 = i + 0.5, y0 = j - 0.5, y1 = j + 0.5, sum[3] = {0, 0, 0}, before = 0;
             double nearest = hypot(i > 0 ? x0 : 0, j > 0 ? y0 : 0), farthest = hypot(x1, y1);
-            int low = 0, high = rings;
-            while (high - low > 1) {
-                k = (low + high) / 2;
-                if (edge[k] <= nearest) low = k;
-                else high = k;
-            }
-            for (k = low; k < rings && edge[k] < farthest; ++k) { /* area of the intersection of ring and cell */
+            for (k = 0; edge[k + 1] <= nearest;) ++k;
+            for (; k < rings && edge[k] < farthest; ++k) { /* area of the intersection of ring and cell */
                 double r = edge[k + 1];
                 double area = ms_sss__disc_corner(x1, y1, r) - ms_sss__disc_corner(x0, y1, r) -
                     ms_sss__disc_corner(x1, y0, r) + ms_sss__disc_corner(x0, y0, r);
                 for (c = 0; c < 3; ++c) sum[c] += density[k][c] * (area - before);
                 before = area;
             }
-            for (c = 0; c < 3; ++c) out[c][i * row + j] = out[c][j * row + i] = sum[c];
+            for (c = 0; c < 3; ++c) d->cell[c][i * row + j] = d->cell[c][j * row + i] = sum[c];
         }
     for (c = 0; c < 3; ++c) {
         if (p->kind == MS_SSS__GAUSSIANS) { /* separable: exact without rings */
-            double g[MS_SSS__CELLS_MAX + 1];
-            memset(out[c], 0, sizeof(double) * (size_t)(row * row));
+            double g[MS_SSS__ROW_MAX];
+            memset(d->cell[c], 0, sizeof(double) * (size_t)(row * row));
             for (k = 0; k < p->count; ++k) {
                 double s = h / (p->length[k][c] * sqrt(2.0));
                 for (i = 0; i <= cells; ++i) g[i] = 0.5 * (erf((i + 0.5) * s) - erf((i - 0.5) * s));
                 for (i = 0; i <= cells; ++i)
-                    for (j = 0; j <= cells; ++j) out[c][i * row + j] += p->weight[k][c] * g[i] * g[j];
+                    for (j = 0; j <= cells; ++j) d->cell[c][i * row + j] += p->weight[k][c] * g[i] * g[j];
             }
         }
         total = 0;
         for (i = 0; i <= cells; ++i)
-            for (j = 0; j <= cells; ++j) total += out[c][i * row + j] * (i ? 2 : 1) * (j ? 2 : 1);
+            for (j = 0; j <= cells; ++j) total += d->cell[c][i * row + j] * (i ? 2 : 1) * (j ? 2 : 1);
         if (!(total > 0)) { /* a channel without light: the identity */
-            memset(out[c], 0, sizeof(double) * (size_t)(row * row));
-            total = out[c][0] = 1;
+            memset(d->cell[c], 0, sizeof(double) * (size_t)(row * row));
+            total = d->cell[c][0] = 1;
         }
-        for (i = 0; i < row * row; ++i) out[c][i] /= total;
+        for (i = 0; i < row * row; ++i) d->cell[c][i] /= total;
     }
 }
 
-/* Spectrum of an even kernel given as cells. columns: [257][cells + 1] scratch. */
-static void ms_sss__spectrum(const ms_sss_designer *d, const double *cell, double *columns, double *out)
+/* The spectrum of a channel's cells. */
+static void ms_sss__spectrum(ms_sss_designer *d, int c)
 {
+    const double *cell = d->cell[c];
+    double *columns = d->columns, *out = d->spectrum[c];
     int row = d->cells + 1, i, j, k1, k2;
     for (k1 = 0; k1 <= MS_SSS__HALF / 2; ++k1) { /* along x; the even and the odd cells serve k1 and 256 - k1 */
         double *column = columns + k1 * row, *mirror = columns + (MS_SSS__HALF - k1) * row;
-        double odd[MS_SSS__CELLS_MAX + 1];
+        double odd[MS_SSS__ROW_MAX];
         for (j = 0; j < row; ++j) column[j] = odd[j] = 0;
         for (i = 0; i < row; ++i) {
-            double c = (i ? 2 : 1) * d->cosine[k1 * i % MS_SSS__SIZE], *to = i % 2 ? odd : column;
-            for (j = 0; j < row; ++j) to[j] += c * cell[i * row + j];
+            double wave = (i ? 2 : 1) * d->cosine[k1 * i % MS_SSS__SIZE], *to = i % 2 ? odd : column;
+            for (j = 0; j < row; ++j) to[j] += wave * cell[i * row + j];
         }
         for (j = 0; j < row; ++j) mirror[j] = column[j] - odd[j];
         for (j = 0; j < row; ++j) column[j] += odd[j];
     }
     for (k2 = 0; k2 <= MS_SSS__HALF; ++k2) {
-        double wave[MS_SSS__CELLS_MAX + 1];
+        double wave[MS_SSS__ROW_MAX];
         for (j = 0; j < row; ++j) wave[j] = (j ? 2 : 1) * d->cosine[k2 * j % MS_SSS__SIZE];
         for (k1 = k2; k1 <= MS_SSS__HALF; ++k1) {
             const double *column = columns + k1 * row;
@@ -4799,7 +4799,7 @@ static void ms_sss__spectrum(const ms_sss_designer *d, const double *cell, doubl
 }
 
 /* |DFT|^2 of a disk of pixels around (256, 256): its rows are runs, whose transforms are Dirichlet kernels. */
-static void ms_sss__disk_power(const ms_sss_designer *d, int radius, float *power)
+static void ms_sss__disk_power(ms_sss_designer *d, int radius, float *power)
 {
     double *amplitude = d->spectrum[0]; /* free until the profile's spectrum is made */
     int y, k1, k2;
@@ -4848,7 +4848,7 @@ static double ms_sss__uniform(int bin, int index)
     return ((double)(((uint64_t)x[half] << 32 | x[half + 1]) >> 12) + 0.5) / 4503599627370496.0;
 }
 
-static void ms_sss__signal_power(const ms_sss_designer *d)
+static void ms_sss__signal_power(ms_sss_designer *d)
 {
     enum { DRAWN = 24 };
     int k1, k2, n;
@@ -4905,27 +4905,11 @@ MS_API double ms_sss_elevation(double reflectance, double index)
     return reflectance > 0 ? 0.57 - 0.07 * t + (2.45 - 0.25 * t) * q + (1.8 + 0.7 * t) * pow(q, 6 + 6 * t) : 0;
 }
 
-/* The arrays of a designer behind it; returns the scratch of its spectra. */
-static double *ms_sss__designer_layout(ms_sss_designer *d, ms__arena *arena)
-{
-    const size_t row = (size_t)d->cells + 1;
-    int c, s;
-    ms__take(arena, 1, sizeof *d);
-    for (c = 0; c < 3; ++c) {
-        d->spectrum[c] = (double *)ms__take(arena, MS_SSS__OCTANT, sizeof(double));
-        d->cell[c] = (double *)ms__take(arena, row * row, sizeof(double));
-        d->slice[c] = (double *)ms__take(arena, row, sizeof(double));
-    }
-    for (s = 0; s < MS_SSS__SIGNALS; ++s) d->power[s] = (float *)ms__take(arena, MS_SSS__OCTANT, sizeof(float));
-    return (double *)ms__take(arena, (MS_SSS__HALF + 1) * row, sizeof(double));
-}
-
 MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss_profile *profile, double radius_px,
                                         const ms_allocator *allocator, ms_error *error)
 {
-    double radius[3], total[3], widest, *columns;
-    ms__arena arena = {NULL, 0};
-    ms_sss_designer layout, *d;
+    double radius[3], total[3], widest;
+    ms_sss_designer *d;
     int c, s, o;
     if (designer == NULL || profile == NULL) return MS_SSS__REFUSE(error, "designer or profile is NULL");
     *designer = NULL;
@@ -4935,18 +4919,12 @@ MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss
     widest = ms_sss__extent(profile, total, radius);
     if (!(widest > 0)) return MS_SSS__REFUSE(error, "the profile holds no light in any channel");
     if (radius_px > (int)MS_SSS__CELLS_MAX) radius_px = (int)MS_SSS__CELLS_MAX;
-    memset(&layout, 0, sizeof layout);
-    layout.cells = radius_px > 1 ? (int)(radius_px + 0.5) : 1;
-    layout.cell_mm = widest / (radius_px + 0.5);
-    if (allocator != NULL) layout.allocator = *allocator;
-    ms_sss__designer_layout(&layout, &arena);
-    layout.bytes = arena.used;
-    arena.base = (char *)ms__alloc(allocator, arena.used);
-    if (!arena.base) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a designer of %z bytes", layout.bytes);
-    arena.used = 0;
-    columns = ms_sss__designer_layout(&layout, &arena);
-    d = (ms_sss_designer *)(void *)arena.base;
-    *d = layout;
+    d = (ms_sss_designer *)ms__alloc(allocator, sizeof *d);
+    if (!d) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a designer of %z bytes", sizeof *d);
+    memset(d, 0, sizeof *d);
+    d->cells = radius_px > 1 ? (int)(radius_px + 0.5) : 1;
+    d->cell_mm = widest / (radius_px + 0.5);
+    if (allocator != NULL) d->allocator = *allocator;
     for (c = 0; c < 3; ++c) {
         d->reflectance[c] = total[c];
         d->width[c] = radius[c] / d->cell_mm;
@@ -4955,7 +4933,7 @@ MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss
     ms_sss__mean_distance(profile, total, widest, d->mean_mm);
     for (o = 0; o < MS_SSS__SIZE; ++o) d->cosine[o] = cos(2 * MS_SSS__PI * o / (int)MS_SSS__SIZE);
     ms_sss__signal_power(d);
-    ms_sss__fill_cells(profile, d->cells, d->cell_mm, d->cell);
+    ms_sss__fill_cells(d, profile);
     for (o = 0; o <= d->cells; ++o) { /* a pole at 0 is read at an eighth of a cell */
         const int pole = o == 0 && profile->kind != MS_SSS__GAUSSIANS;
         double at[3];
@@ -4963,7 +4941,7 @@ MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss
         for (c = 0; c < 3; ++c) d->slice[c][o] = at[c];
     }
     for (c = 0; c < 3; ++c) {
-        ms_sss__spectrum(d, d->cell[c], columns, d->spectrum[c]);
+        ms_sss__spectrum(d, c);
         for (s = 0; s < MS_SSS__SIGNALS; ++s)
             for (o = 1; o < MS_SSS__OCTANT; ++o)
                 d->variance[s] += (double)d->power[s][o] * d->spectrum[c][o] * d->spectrum[c][o];
@@ -4977,7 +4955,7 @@ MS_API void ms_sss_designer_destroy(ms_sss_designer *designer)
     ms_allocator allocator;
     if (designer == NULL) return;
     allocator = designer->allocator;
-    ms__release(&allocator, designer, designer->bytes);
+    ms__release(&allocator, designer, sizeof *designer);
 }
 
 /* ---- kernel errors --------------------------------------------------------------------------------------------- */
@@ -4997,8 +4975,8 @@ static double ms_sss__pair_transfer(const ms_sss_designer *d, int k, double x, d
 /* A kernel in cells and doubles, for design and measurement. Term t of channel c: sign w w^T. */
 typedef struct ms_sss__curve {
     int pairs, terms;
-    double offset[MS_SSS__CELLS_MAX + 1];                      /* [0] is the center */
-    double weight[3][MS_SSS_TERMS_MAX][MS_SSS__CELLS_MAX + 1]; /* of the center, then of each tap of a pair */
+    double offset[MS_SSS__ROW_MAX];                      /* [0] is the center */
+    double weight[3][MS_SSS_TERMS_MAX][MS_SSS__ROW_MAX]; /* of the center, then of each tap of a pair */
     double sign[3][MS_SSS_TERMS_MAX];
     double delta[3], energy[3]; /* energy of delta and all terms: 1, but for SVD */
 } ms_sss__curve;
@@ -5552,7 +5530,7 @@ static double ms_sss__mixture_squares(const ms_sss__squares *p, double *x, doubl
 {
     double wave[MS_SSS_TERMS_MAX][MS_SSS__NODES_MAX], slope[MS_SSS_TERMS_MAX][MS_SSS__NODES_MAX],
         share[MS_SSS__NODES_MAX];
-    double cell[MS_SSS__CELLS_MAX + 1], growth[MS_SSS__CELLS_MAX + 1], J[2 * MS_SSS_TERMS_MAX], sum = 0, value = 0;
+    double cell[MS_SSS__ROW_MAX], growth[MS_SSS__ROW_MAX], J[2 * MS_SSS_TERMS_MAX], sum = 0, value = 0;
     int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(p->d->cells, 0, node, share), N = p->n / 2, n, a, b, i, j;
     for (n = 0; n < N; ++n) sum += x[n] * x[n];
     for (n = 0; n < N; ++n) { /* spectra and their derivatives by log sigma */
@@ -5619,7 +5597,7 @@ static void ms_sss__fit_mixture(const ms_sss_designer *d, int c, int count, doub
 /* The two-Gaussian model against a_p (5.6): x is log sigma of both, cells, and the share of the first. */
 static double ms_sss__artist_squares(const ms_sss__squares *p, double *x, double *H, double *g)
 {
-    double cell[2][MS_SSS__CELLS_MAX + 1], growth[2][MS_SSS__CELLS_MAX + 1], J[3], value = 0;
+    double cell[2][MS_SSS__ROW_MAX], growth[2][MS_SSS__ROW_MAX], J[3], value = 0;
     int i, a, b;
     for (a = 0; a < 2; ++a) {
         x[a] = ms_sss__log_sigma(x[a]);
@@ -5707,7 +5685,7 @@ static ms_status ms_sss__guided(const ms_sss_designer *d, int c, double guide, d
 /* All models but the fits of taps, as weights of all cells. */
 static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kernel_options *o, ms_sss__curve *v)
 {
-    double slope[MS_SSS__CELLS_MAX + 1], sum;
+    double slope[MS_SSS__ROW_MAX], sum;
     ms_status status = MS_OK;
     int c, t, i, M = d->cells;
     memset(v, 0, sizeof *v);
@@ -5744,7 +5722,7 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
         } else if (o->model == MS_SSS_GUIDED) {
             status = ms_sss__guided(d, c, o->guide_k, w);
         } else if (o->model == MS_SSS_ARTIST) {
-            double fit[3], far_cells[MS_SSS__CELLS_MAX + 1];
+            double fit[3], far_cells[MS_SSS__ROW_MAX];
             ms_sss__fit_near_far(d, c, w, fit);
             ms_sss__gaussian_cells(fit[0], M, w, slope);
             ms_sss__gaussian_cells(fit[1], M, far_cells, slope);
@@ -5835,7 +5813,7 @@ static void ms_sss__place_quadratic(const ms_sss_designer *d, const ms_sss__curv
 static MS_SSS__COLD void ms_sss__store_kernel(const ms_sss_designer *d, const ms_sss__curve *v, double index,
                                               ms_sss_kernel *kernel)
 {
-    int order[MS_SSS__CELLS_MAX + 1], n, i, t, c;
+    int order[MS_SSS__ROW_MAX], n, i, t, c;
     memset(kernel, 0, sizeof *kernel);
     for (n = 0; n <= v->pairs; ++n) { /* by growing offset */
         for (i = n; i > 1 && v->offset[order[i - 1]] > v->offset[n]; --i) order[i] = order[i - 1];
@@ -5946,7 +5924,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const m
 
 MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *d, ms_sss_artist *artist)
 {
-    double ap[MS_SSS__CELLS_MAX + 1];
+    double ap[MS_SSS__ROW_MAX];
     int c;
     if (d == NULL || artist == NULL) return MS_INVALID_ARGUMENT;
     for (c = 0; c < 3; ++c) {
