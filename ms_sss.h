@@ -4549,22 +4549,14 @@ MS_SSS__COLD MS_API void ms_sss_profile_radius(const ms_sss_profile *p, double f
     if (p == NULL || out == NULL) return;
     ms_sss_profile_reflectance(p, total);
     for (c = 0; c < 3; ++c) {
-        double low = 0, high = 1e-9;
-        out[c] = 0;
-        if (!(total[c] > 0)) continue;
-        for (i = 0; i < 70; ++i) { /* the last radius that all doubles of 1e-9 mm to 1e12 mm need */
-            ms_sss_profile_disc(p, high, inside);
-            if (inside[c] >= fraction * total[c]) break;
-            low = high;
-            high *= 2;
-        }
-        while (high - low > 1e-10 * high && high > 1e-300) { /* below, halves are no longer smaller */
-            double middle = 0.5 * (low + high);
+        double low = 1e-30, high = 1e12;
+        for (i = 0; i < 64; ++i) { /* 96 in the logarithm, down to rounding */
+            const double middle = sqrt(low * high);
             ms_sss_profile_disc(p, middle, inside);
             if (inside[c] >= fraction * total[c]) high = middle;
             else low = middle;
         }
-        out[c] = high;
+        out[c] = total[c] > 0 ? high : 0;
     }
 }
 
@@ -5337,13 +5329,9 @@ static double ms_sss__fit_squares(const ms_sss__squares *p, double *x, double *H
 /* Improves v in place; returns the objective. */
 static double ms_sss__fit_run(ms_sss__fit *fit, ms_sss__curve *v, int rounds)
 {
-    ms_sss__squares problem;
+    const ms_sss__squares problem = {ms_sss__fit_squares, fit->d, fit->unknowns, 0, NULL, 0, fit};
     double value;
     int c, i;
-    memset(&problem, 0, sizeof problem);
-    problem.evaluate = ms_sss__fit_squares;
-    problem.n = fit->unknowns;
-    problem.fit = fit;
     for (c = 0; c < 3; ++c) /* q = 0 would never move */
         for (i = 0; i <= v->pairs; ++i) v->weight[c][0][i] = fmax(v->weight[c][0][i], 1e-6);
     fit->trial = *v;
@@ -5573,11 +5561,8 @@ static void ms_sss__fit_mixture(const ms_sss_designer *d, int c, int count, doub
 {
     static const double spread[] = {20, 90};
     double x[2 * MS_SSS_TERMS_MAX], scratch[MS_SSS__DESCEND_SCRATCH(2 * MS_SSS_TERMS_MAX)], least = HUGE_VAL, value;
-    ms_sss__squares problem = {ms_sss__mixture_squares, NULL, 0, 0, NULL, 0, NULL};
+    const ms_sss__squares problem = {ms_sss__mixture_squares, d, 2 * count, c, NULL, 0, NULL};
     int k, n;
-    problem.d = d;
-    problem.channel = c;
-    problem.n = 2 * count;
     for (k = 0; k < 2; ++k) {
         const double narrowest = d->width[c] / spread[k] + 0.1, widest = d->width[c] / 2 + 0.2;
         for (n = 0; n < count; ++n) {
@@ -5622,10 +5607,8 @@ static double ms_sss__artist_squares(const ms_sss__squares *p, double *x, double
 static void ms_sss__fit_near_far(const ms_sss_designer *d, int c, const double *ap, double out[3])
 {
     double x[3] = {0, 0, 0.5}, scratch[MS_SSS__DESCEND_SCRATCH(3)];
-    ms_sss__squares problem = {ms_sss__artist_squares, NULL, 3, 0, NULL, 0, NULL};
+    const ms_sss__squares problem = {ms_sss__artist_squares, d, 3, 0, ap, 0, NULL};
     int far_first;
-    problem.d = d;
-    problem.curve = ap;
     x[0] = log(d->width[c] / 20 + 0.2);
     x[1] = log(d->width[c] / 3 + 0.4);
     ms_sss__descend(&problem, x, 100, 1e-12, scratch);
@@ -5663,13 +5646,10 @@ static ms_status ms_sss__guided(const ms_sss_designer *d, int c, double guide, d
 {
     const int M = d->cells;
     const size_t bytes = (size_t)MS_SSS__DESCEND_SCRATCH(M) * sizeof(double);
-    ms_sss__squares problem = {ms_sss__guided_squares, NULL, 0, 0, NULL, 0, NULL};
+    const ms_sss__squares problem = {ms_sss__guided_squares, d, M, 0, d->cell[c], guide, NULL};
     double *scratch = (double *)ms__alloc(&d->allocator, bytes), sum = 0;
     int i;
     if (scratch == NULL) return MS_OUT_OF_MEMORY;
-    problem.n = M;
-    problem.curve = d->cell[c];
-    problem.guide = guide;
     ms_sss__row_sums(d, c, a);
     ms_sss__descend(&problem, a + 1, 60, 1e-10, scratch);
     ms__release(&d->allocator, scratch, bytes);
