@@ -440,7 +440,8 @@ typedef struct ms_sss_errors {
 MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
                                        const ms_sss_designer *designer);
 
-/* A designer for radius_px, a kernel by options (NULL: 7 optimized taps) and its errors (optional) in one call. */
+/* A designer for radius_px, a kernel by options (NULL: 7 optimized taps) and its errors (optional) in one call. Where
+   memory lacks for the errors alone, the kernel is made nevertheless. */
 MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile,
                                     double radius_px, const ms_sss_kernel_options *options,
                                     const ms_allocator *allocator, ms_error *error);
@@ -5924,14 +5925,11 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_e
                                                  ms_error *error)
 {
     ms_sss_designer *designer;
-    ms_sss_kernel made;
-    ms_status status = kernel ? ms_sss_designer_create(&designer, profile, radius_px, allocator, error)
-                              : MS_SSS__REFUSE(error, "kernel is NULL");
+    ms_status status = ms_sss_designer_create(&designer, profile, radius_px, allocator, error);
     if (status != MS_OK) return status;
-    status = ms_sss_kernel_build(&made, designer, options, error);
-    if (status == MS_OK && errors && (status = ms_sss_kernel_measure(errors, &made, designer)) != MS_OK)
-        ms__fail(error, status, 0, "no memory to measure a kernel");
-    if (status == MS_OK) *kernel = made;
+    status = ms_sss_kernel_build(kernel, designer, options, error);
+    if (status == MS_OK && errors && (status = ms_sss_kernel_measure(errors, kernel, designer)) != MS_OK)
+        ms__fail(error, status, 0, "no memory to measure the kernel");
     ms_sss_designer_destroy(designer);
     return status;
 }
