@@ -60,7 +60,7 @@
      R_d sampled along the axis           2            7.80            8.23           22.80
      SVD rank 1, normalized               2            6.48            6.29           16.62
      pre-integrated                       2            0.00            3.03            7.33
-     image-optimal                        2            1.96            1.22            3.75
+     image-optimal, 33 taps               2            1.72            1.18            3.61
      pre-integrated + 1 residual          4            0.00            0.88            1.22
 
      texture error by taps of a pass      24 pixels: 7     11     17     96 pixels: 7     11     17
@@ -334,22 +334,24 @@ MS_API double ms_sss_elevation(double reflectance, double index);
 
 #define MS_SSS_TAPS_MAX 257 /* taps of one 1D pass, center included */
 #define MS_SSS_TERMS_MAX 6  /* separable terms */
-#define MS_SSS_DENSE (-1)   /* as tap_count: a tap every pixel of the design radius */
+#define MS_SSS_DENSE (-1)   /* as tap_count: a tap every pixel of the design radius; not image-optimal */
 
 /* A separable kernel, ready to be applied: out = delta E + sum_t scale_t (E * w_t along x) * w_t along y.
-   Normalized: delta + sum_t scale_t (sum_i w_ti)^2 = 1 in every channel, at most 1 for MS_SSS_SVD. */
+   Entry 0 of a pass is the tap at the center, entry i a pair of taps at -offset_mm[i] and +offset_mm[i] that have the
+   same weight. Normalized: delta + sum_t scale_t (w_t0 + 2 sum_i w_ti)^2 = 1 in every channel, at most 1 for
+   MS_SSS_SVD. */
 typedef struct ms_sss_kernel {
-    int tap_count;  /* odd; entry 0 is the center (offset 0), then pairs -x, +x by growing |x| */
-    int term_count; /* 1 except for SVD, sums of Gaussians, residuals */
-    float offset_mm[MS_SSS_TAPS_MAX];
-    float weight[MS_SSS_TERMS_MAX][MS_SSS_TAPS_MAX][3]; /* of one 1D pass, applied along x, then along y */
+    int tap_count;                            /* of a pass, odd: the center and tap_count / 2 pairs */
+    int term_count;                           /* 1 except for SVD, sums of Gaussians, residuals */
+    float offset_mm[MS_SSS_TAPS_MAX / 2 + 1]; /* 0, then growing */
+    float weight[MS_SSS_TERMS_MAX][MS_SSS_TAPS_MAX / 2 + 1][3];
     float scale[MS_SSS_TERMS_MAX][3]; /* factor of each term after both passes (sign of a singular value) */
     float delta[3];                   /* weight of the unblurred input */
-    float radius_mm;                  /* the outermost |offset| plus half its cell */
+    float radius_mm;                  /* the outermost offset plus half its cell */
     float reflectance[3];             /* the profile's total; the kernel itself is normalized */
     float profile_radius_mm;          /* radius of 99% of the light of the widest channel; 0: radius_mm */
     float elevation[3];               /* K of ms_sss_elevation; 0: no elevation */
-    float decay[3];                   /* 1/mm, decay of light with depth, see ms_sss_transmittance */
+    float decay[3];                   /* 1/mm, decay of light with depth, see ms_sss_transmission */
     float elevation_axis[3];          /* K of one 1D pass: both passes have the mean of the round kernel */
 } ms_sss_kernel;
 
@@ -362,7 +364,7 @@ typedef enum ms_sss_model {
     MS_SSS_SVD_NORMALIZED = 4, /* the same, scaled to keep the energy */
     MS_SSS_GAUSSIANS = 5,      /* best sum of term_count Gaussians (5.9) */
     MS_SSS_GUIDED = 6,         /* guided optimization (5.14) with guide_k */
-    MS_SSS_ARTIST = 7,         /* two Gaussians along the axes (5.6), as given or fitted to a_p */
+    MS_SSS_ARTIST = 7,         /* two Gaussians along the axes (5.6), fitted to a_p */
     MS_SSS_SLICE = 8           /* R_d sampled along the axis: a model of the released shader, the figures' peer */
 } ms_sss_model;
 
@@ -373,23 +375,16 @@ typedef enum ms_sss_placement {
     MS_SSS_QUADRATIC = 2  /* offsets grow with the square of their index, as in the thesis */
 } ms_sss_placement;       /* in the last two each weight is the integral of the kernel over its cell */
 
-/* The two-Gaussian model (5.6). All zero: fitted to a_p. */
-typedef struct ms_sss_artist {
-    double sigma_near_mm[3], sigma_far_mm[3]; /* standard deviations */
-    double near_weight[3];                    /* w: share of the near Gaussian, 0 to 1 */
-} ms_sss_artist;
-
 /* Zero is the default of every field; ms_sss_kernel_defaults() returns that. */
 typedef struct ms_sss_kernel_options {
     int tap_count;  /* of a pass: odd, 3 to 33 for MS_SSS_OPTIMIZED, else to MS_SSS_TAPS_MAX; 0: 7; or MS_SSS_DENSE */
     int term_count; /* 1 to MS_SSS_TERMS_MAX; 0: 1 (residual: 2) */
     ms_sss_model model;
     ms_sss_placement placement;
-    int no_delta;         /* 1: no weight on the unblurred input */
-    double dial;          /* image-optimal only: 0 texture ... 1 a_p, exact on axis-parallel signals */
-    double guide_k;       /* guided only: 0 near scattering ... 4 far scattering; the thesis calls 2 neutral */
-    ms_sss_artist artist; /* artist only */
-    double index;         /* of refraction, 1 to 2, for the kernel's elevation; 0: 1 */
+    int no_delta;   /* 1: no weight on the unblurred input */
+    double dial;    /* image-optimal only: 0 texture ... 1 a_p, exact on axis-parallel signals */
+    double guide_k; /* guided only: 0 near scattering ... 4 far scattering; the thesis calls 2 neutral */
+    double index;   /* of refraction, 1 to 2, for the kernel's elevation; 0: 1 */
 } ms_sss_kernel_options;
 
 MS_API ms_sss_kernel_options ms_sss_kernel_defaults(void);
@@ -411,8 +406,15 @@ MS_API void ms_sss_designer_destroy(ms_sss_designer *designer);
 MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *designer,
                                      const ms_sss_kernel_options *options, ms_error *error);
 
-/* The two-Gaussian model of least squares to a_p, for artists to start from. A channel without light: near_weight 1 and
-   sigmas of a thousandth of a cell. MS_INVALID_ARGUMENT: a NULL. */
+/* The two-Gaussian model (5.6): standard deviations, and the share of the near Gaussian, 0 to 1. Its kernel is the
+   pre-integrated one of ms_sss_profile_from_gaussians. */
+typedef struct ms_sss_artist {
+    double sigma_near_mm[3], sigma_far_mm[3];
+    double near_weight[3];
+} ms_sss_artist;
+
+/* The model of least squares to a_p, for artists to start from. A channel without light: near_weight 1 and sigmas of a
+   thousandth of a cell. MS_INVALID_ARGUMENT: a NULL. */
 MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *designer, ms_sss_artist *artist);
 
 /* ---- errors ---------------------------------------------------------------------------------------------------- */
@@ -434,24 +436,17 @@ typedef struct ms_sss_errors {
 
 /* Taps between pixels are read with linear interpolation, as the filter and GPUs do. Takes 60 KB from the designer's
    allocator and gives them back. MS_INVALID_ARGUMENT: a NULL, a kernel that ms_sss_filter refuses, an offset beyond 1e6
-   cells of the designer. MS_UNSUPPORTED: taps that are no pairs. MS_OUT_OF_MEMORY. errors untouched then. */
+   cells of the designer. MS_OUT_OF_MEMORY. errors untouched then. */
 MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
                                        const ms_sss_designer *designer);
 
-/* A designer for radius_px, a kernel by options (NULL: 7 optimized taps) and its errors (optional) in one call. */
+/* A designer for radius_px, a kernel by options (NULL: 7 optimized taps) and its errors (optional) in one call. Where
+   memory lacks for the errors alone, the kernel is made nevertheless. */
 MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile,
                                     double radius_px, const ms_sss_kernel_options *options,
                                     const ms_allocator *allocator, ms_error *error);
 
 /* ---- translucency ---------------------------------------------------------------------------------------------- */
-
-/* The fraction of light that a slab of this thickness transmits, for light that enters its far side evenly from all
-   directions: T(s) = (1 - R^2) x / (1 - R^2 x^2) (1 - 0.85 (1 - R)^5 (1 - x^0.8)), with x = exp(-decay s) and R the
-   channel's reflectance: the two-stream solution (Kubelka and Munk 1931) with a loss near the surface of dark media. It
-   is within 7% of random walks where R is 0.15 to 0.95 and T above 1e-3; an index of 1.4 inside loses up to 15% more.
-   The profile needs its true reflectance, not one normalized to 1. A channel without light transmits none; nor does a
-   thickness that is NaN. */
-MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness_mm, double out[3]);
 
 /* For an engine's light loop: the light of one lamp that reaches a point which faces away from it, through the object.
      thickness_mm   from the point to where the lamp's light enters the object, along the light: by the shadow map;
@@ -461,8 +456,13 @@ MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness
      light          the lamp's irradiance at the entry, on a plane at a right angle to the light
      out            T(thickness) (1 + (1 / R - 1) max(0, -normal.entry_normal)) max(0, entry_normal.to_light) light,
                     in the filter's units: reflectance or albedo times out leaves the surface
-   out is 0 where the point faces the lamp, where the entry does not, and where the thickness is NaN. Combine it with
-   the filtered light by max: a sum would count the light near the shadow's border twice. */
+   T(s) = (1 - R^2) x / (1 - R^2 x^2) (1 - 0.85 (1 - R)^5 (1 - x^0.8)) is the fraction that a slab transmits of light
+   that enters its far side evenly from all directions, with x = exp(-decay s) and R the channel's reflectance: the
+   two-stream solution (Kubelka and Munk 1931) with a loss near the surface of dark media. It is within 7% of random
+   walks where R is 0.15 to 0.95 and T above 1e-3; an index of 1.4 inside loses up to 15% more. The profile needs its
+   true reflectance, not one normalized to 1.
+   out is 0 where the point faces the lamp, where the entry does not, where R is 0, and where the thickness is NaN.
+   Combine it with the filtered light by max: a sum would count the light near the shadow's border twice. */
 MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm, const float normal[3],
                                 const float entry_normal[3], const float to_light[3], const float light[3],
                                 float out[3]);
@@ -542,8 +542,8 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
    profiles. The effect fades from kernels with a radius of a pixel to those of half a pixel, from where on pixels keep
    their bits. Results are bit-equal for any thread count at one SIMD level, across levels within 2e-6 of the largest
    input.
-   MS_INVALID_ARGUMENT: a pointer, size, stride or option out of range. MS_UNSUPPORTED: taps that are no pairs.
-   MS_OUT_OF_MEMORY: only without a workspace. Nothing is written then. Thesis 5.5, 5.10. */
+   MS_INVALID_ARGUMENT: a pointer, size, stride, option or kernel out of range. MS_OUT_OF_MEMORY: only without a
+   workspace. Nothing is written then. Thesis 5.5, 5.10. */
 MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
                                const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                ms_error *error);
@@ -633,15 +633,13 @@ MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader);
 MS_API int ms_sss_shader_levels(int width, int height);
 
 /* The values of the constants; made again when picture, camera, kernels, options or `origin` change, not every frame.
-   kernels         [profile_count, at least 1], taps in pairs -x, +x; one with fewer terms than another adds nothing;
-                   a pyramid: NULL
+   kernels         [profile_count, at least 1]; one with fewer terms than another adds nothing; a pyramid: NULL
    index           of the term, the same for X and Y; UP: 0, all are read; a pyramid: of the profile
    options         camera, units and depth, as of ms_sss_filter; without depth flat must be 1
    width, height   of the viewport; options->center is that of its projection
    out             [ms_sss_shader_constant_count()][4]; untouched where the call fails
-   MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: taps that are no pairs; a pyramid with rotation or unequal
-   pixels_per_mm; with `nearest` a kernel that shows stairs there, from 8 pixels on with 7 taps, 16 with 11, 47 with 17,
-   150 with 25. */
+   MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: a pyramid with rotation or unequal pixels_per_mm; with
+   `nearest` a kernel that shows stairs there, from 8 pixels on with 7 taps, 16 with 11, 47 with 17, 150 with 25. */
 MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int index, const ms_sss_filter_options *options,
                                          int width, int height, const ms_sss_shader *shader, float (*out)[4],
                                          ms_error *error);
@@ -910,23 +908,6 @@ static int ms_sss__differ(float a, float b) { return !(a == b); }
 
 static int ms_sss__positive(float x) { return ms__finite_f(x) && x > 0; }
 
-/* Taps must come in pairs at -x and +x with equal weights. */
-static MS_SSS__COLD ms_status ms_sss__check_pairs(const ms_sss_kernel *k, int index, ms_error *error)
-{
-    int i, c, t;
-    for (i = 1; i < k->tap_count; i += 2) {
-        int paired = !ms_sss__differ(k->offset_mm[i], -k->offset_mm[i + 1]);
-        for (t = 0; t < k->term_count; ++t)
-            for (c = 0; c < 3; ++c)
-                if (ms_sss__differ(k->weight[t][i][c], k->weight[t][i + 1][c])) paired = 0;
-        if (!paired)
-            return ms__fail(error, MS_UNSUPPORTED, (size_t)index,
-                            "kernel %d: taps %d and %d are no pair; offsets -x and x and equal weights expected", index,
-                            i, i + 1);
-    }
-    return MS_OK;
-}
-
 static MS_SSS__COLD ms_status ms_sss__check_kernel(const ms_sss_kernel *k, int index, ms_error *error)
 {
     int i, c, t;
@@ -940,22 +921,22 @@ static MS_SSS__COLD ms_status ms_sss__check_kernel(const ms_sss_kernel *k, int i
     if (!ms_sss__positive(k->radius_mm))
         return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: radius_mm %g is not positive", index,
                         (double)k->radius_mm);
-    for (i = 0; i < k->tap_count; ++i) {
-        if (!ms__finite_f(k->offset_mm[i]) || (i == 0 && ms_sss__differ(k->offset_mm[0], 0)))
+    for (i = 0; i <= k->tap_count / 2; ++i) {
+        if (!ms__finite_f(k->offset_mm[i]) || k->offset_mm[i] < 0 || (i == 0 && k->offset_mm[0] > 0))
             return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                            "kernel %d: offset_mm[%d] is %g; entry 0 must be 0, all finite", index, i,
+                            "kernel %d: offset_mm[%d] is %g; entry 0 must be 0, all finite and none below 0", index, i,
                             (double)k->offset_mm[i]);
         for (t = 0; t < k->term_count; ++t)
             for (c = 0; c < 3; ++c)
                 if (!ms__finite_f(k->weight[t][i][c]) || !ms__finite_f(k->scale[t][c]) || !ms__finite_f(k->delta[c]))
                     return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                                    "kernel %d: term %d, tap %d, channel %d is not finite", index, t, i, c);
+                                    "kernel %d: term %d, entry %d, channel %d is not finite", index, t, i, c);
     }
     for (c = 0; c < 3; ++c)
         if (!(fabsf(k->elevation[c]) <= 1e6f && fabsf(k->elevation_axis[c]) <= 1e6f))
             return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
                             "kernel %d: elevation[%d] or elevation_axis[%d] is beyond 1e6", index, c, c);
-    return ms_sss__check_pairs(k, index, error);
+    return MS_OK;
 }
 
 /* ---- translucency code ------------------------------------------------------------------------------------------ */
@@ -2754,8 +2735,8 @@ static void ms_sss__totals(const ms_sss_kernel *k, int term, float total[3], int
     for (c = 0; c < 3; ++c) {
         double sum = 0;
         mixed[c] = 0;
-        for (i = 0; i < k->tap_count; ++i) {
-            sum += (double)k->weight[term][i][c];
+        for (i = 0; i <= k->tap_count / 2; ++i) {
+            sum += (i ? 2 : 1) * (double)k->weight[term][i][c];
             if (k->weight[term][i][c] < 0) mixed[c] = 1;
         }
         total[c] = fabs(sum - 1) < 1e-5 && !ms_sss__differ(k->delta[c], 0) ? 1.0f : (float)sum;
@@ -2776,14 +2757,14 @@ static void ms_sss__set_term(ms_sss__pass *p, const ms_sss__view *v, const ms_ss
         p->scale[c] = k->scale[term][c];
         p->delta[c] = term + 1 == k->term_count ? k->delta[c] : 0;
     }
-    for (i = 0; i < p->pair_count; ++i) {
-        const float mm = fabsf(k->offset_mm[2 * i + 1]);
-        ms_sss__pair *pair = &p->pair[i];
+    for (i = 1; i <= p->pair_count; ++i) {
+        const float mm = k->offset_mm[i];
+        ms_sss__pair *pair = &p->pair[i - 1];
         pair->per_mm = mm > 1e-20f ? 1 / mm : 0;
         pair->dz_falloff = ms_sss__dz_falloff(p, mm);
         pair->area_scale = ms_sss__pair_area_scale(p, mm, &inner);
-        ms_sss__follow_outer(pair, mm, i + 1 < p->pair_count ? fabsf(k->offset_mm[2 * i + 3]) : 0, k->radius_mm);
-        for (c = 0; c < 3; ++c) pair->weight[c] = k->weight[term][2 * i + 1][c];
+        ms_sss__follow_outer(pair, mm, i < p->pair_count ? k->offset_mm[i + 1] : 0, k->radius_mm);
+        for (c = 0; c < 3; ++c) pair->weight[c] = k->weight[term][i][c];
         for (c = 0; c < 2; ++c) {
             const float reach = p->pixels_per_mm * (pair->offset[c] = mm * v->aspect[c]);
             const int pixels = reach < (float)MS_SSS__FAR ? (int)reach + 2 : (int)MS_SSS__FAR;
@@ -4123,14 +4104,14 @@ static MS_SSS__COLD void ms_sss__kernel_constants(const ms_sss_kernel *k, int wa
         at[2][c] = has ? k->delta[c] : 0;
         at[3][c] = p->elevation_4[c];
         at[4][c] = p->root_r[c];
-        for (i = 0; i < k->tap_count; i += 2) at[MS_SSS__PROFILE_HEAD + i / 2][c] = k->weight[term][i][c];
+        for (i = 0; i <= k->tap_count / 2; ++i) at[MS_SSS__PROFILE_HEAD + i][c] = k->weight[term][i][c];
     }
     at[0][3] = k->radius_mm;
     at[1][3] = p->depth_scale;
     at[2][3] = p->average_dz * p->average_dz;
     at[3][3] = (float)(p->mixed[0] + 2 * p->mixed[1] + 4 * p->mixed[2]);
     at[4][3] = p->edge_dz2;
-    for (i = 0; i < k->tap_count; i += 2) at[MS_SSS__PROFILE_HEAD + i / 2][3] = k->offset_mm[i];
+    for (i = 0; i <= k->tap_count / 2; ++i) at[MS_SSS__PROFILE_HEAD + i][3] = k->offset_mm[i];
 }
 
 MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int index,
@@ -4304,67 +4285,61 @@ static double ms_sss__disc_corner(double x, double y, double r)
 
 typedef enum ms_sss__profile_kind { MS_SSS__RINGS, MS_SSS__GAUSSIANS, MS_SSS__BURLEY } ms_sss__profile_kind;
 
+/* R_d = mean + slope (r^2 - middle), where middle is that of the ring's r^2. */
+typedef struct ms_sss__ring {
+    double edge;      /* inner radius */
+    double inside[3]; /* energy within it */
+    double mean[3], slope[3];
+} ms_sss__ring;
+
 struct ms_sss_profile {
     ms_sss__profile_kind kind;
-    int count;                  /* of rings or Gaussians */
-    double *edge;               /* [count + 1] radii */
-    double *mean[3], *slope[3]; /* [count] R_d = mean + slope (r^2 - middle), middle of the ring's r^2 */
-    double *inside[3];          /* [count + 1] energy within edge[i] */
-    double length[MS_SSS_GAUSSIANS_MAX][3],
-        weight[MS_SSS_GAUSSIANS_MAX][3]; /* sigma; Burley: d and reflectance, count 1 */
+    int count;                              /* of rings or Gaussians */
+    ms_sss__ring *ring;                     /* [count + 1] behind the profile; of the last one the edge and inside */
+    double length[MS_SSS_GAUSSIANS_MAX][3]; /* sigma; Burley: d, count 1 */
+    double weight[MS_SSS_GAUSSIANS_MAX][3]; /* Burley: reflectance */
     size_t bytes;
     ms_allocator allocator;
 };
 
-/* The arrays of a profile behind it. */
-static void ms_sss__profile_layout(ms_sss_profile *p, ms__arena *arena)
-{
-    const size_t rings = p->kind == MS_SSS__RINGS ? (size_t)p->count : 0;
-    int c;
-    ms__take(arena, 1, sizeof *p);
-    p->edge = (double *)ms__take(arena, rings + 1, sizeof(double));
-    for (c = 0; c < 3; ++c) {
-        p->mean[c] = (double *)ms__take(arena, rings, sizeof(double));
-        p->slope[c] = (double *)ms__take(arena, rings, sizeof(double));
-        p->inside[c] = (double *)ms__take(arena, rings + 1, sizeof(double));
-    }
-}
-
 static ms_status ms_sss__profile_alloc(ms_sss_profile **out, ms_sss__profile_kind kind, int count,
                                        const ms_allocator *allocator, ms_error *error)
 {
-    ms__arena arena = {NULL, 0};
-    ms_sss_profile profile;
-    memset(&profile, 0, sizeof profile);
-    profile.kind = kind;
-    profile.count = count;
-    if (allocator != NULL) profile.allocator = *allocator;
-    ms_sss__profile_layout(&profile, &arena);
-    profile.bytes = arena.used;
-    arena.base = (char *)ms__alloc(allocator, arena.used);
-    if (!arena.base) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a profile of %z bytes", profile.bytes);
-    arena.used = 0;
-    ms_sss__profile_layout(&profile, &arena);
-    *out = (ms_sss_profile *)(void *)arena.base;
-    **out = profile;
+    const size_t rings = kind == MS_SSS__RINGS ? (size_t)count + 1 : 0;
+    const size_t bytes = ms__size_add(sizeof(ms_sss_profile), ms__size_mul(rings, sizeof(ms_sss__ring)));
+    ms_sss_profile *p = (ms_sss_profile *)ms__alloc(allocator, bytes);
+    if (!p) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a profile of %z bytes", bytes);
+    memset(p, 0, bytes);
+    p->kind = kind;
+    p->count = count;
+    p->ring = (ms_sss__ring *)(void *)(p + 1);
+    p->bytes = bytes;
+    if (allocator != NULL) p->allocator = *allocator;
+    *out = p;
     return MS_OK;
+}
+
+/* r^2 at the outer edge of ring i; half the sum of both edges'. */
+static double ms_sss__outer2(const ms_sss_profile *p, int i) { return p->ring[i + 1].edge * p->ring[i + 1].edge; }
+static double ms_sss__middle2(const ms_sss_profile *p, int i)
+{
+    return 0.5 * (p->ring[i].edge * p->ring[i].edge + ms_sss__outer2(p, i));
 }
 
 /* Energy of the part of a ring with r^2 in [ring's first, s]: pi times the integral of R_d over r^2. */
 static double ms_sss__ring_energy(const ms_sss_profile *p, int c, int i, double s)
 {
-    double s0 = p->edge[i] * p->edge[i], s1 = p->edge[i + 1] * p->edge[i + 1];
-    return MS_SSS__PI * (s - s0) * (p->mean[c][i] + p->slope[c][i] * 0.5 * (s - s1));
+    const ms_sss__ring *ring = &p->ring[i];
+    return MS_SSS__PI * (s - ring->edge * ring->edge) *
+        (ring->mean[c] + ring->slope[c] * 0.5 * (s - ms_sss__outer2(p, i)));
 }
 
 static void ms_sss__profile_accumulate(ms_sss_profile *p)
 {
     int c, i;
-    for (c = 0; c < 3; ++c) {
-        p->inside[c][0] = 0;
-        for (i = 0; i < p->count; ++i)
-            p->inside[c][i + 1] = p->inside[c][i] + ms_sss__ring_energy(p, c, i, p->edge[i + 1] * p->edge[i + 1]);
-    }
+    for (i = 0; i < p->count; ++i)
+        for (c = 0; c < 3; ++c)
+            p->ring[i + 1].inside[c] = p->ring[i].inside[c] + ms_sss__ring_energy(p, c, i, ms_sss__outer2(p, i));
 }
 
 static MS_SSS__COLD ms_status ms_sss__check_table(int count, int least, const double *radius, int radii,
@@ -4405,20 +4380,15 @@ MS_SSS__COLD MS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile
     status = ms_sss__check_table(count, 1, edge_mm, count + 1, value, stride, error);
     if (status == MS_OK) status = ms_sss__profile_alloc(&p, MS_SSS__RINGS, count, allocator, error);
     if (status != MS_OK) return status;
-    memcpy(p->edge, edge_mm, sizeof *edge_mm * ((size_t)count + 1));
+    for (i = 0; i <= count; ++i) p->ring[i].edge = edge_mm[i];
     for (c = 0; c < 3; ++c) {
-        double *mean = p->mean[c];
-        for (i = 0; i < count; ++i) mean[i] = value[c][(size_t)i * (size_t)stride];
-        for (i = 0; i < count; ++i) { /* van Leer's limited slope over r^2: zero at extrema, never below R_d = 0 */
-            double s0 = p->edge[i] * p->edge[i], s1 = p->edge[i + 1] * p->edge[i + 1], left, right, slope, most;
-            p->slope[c][i] = 0;
-            if (i + 1 == count) break;
-            right = (mean[i + 1] - mean[i]) / (0.5 * (p->edge[i + 2] * p->edge[i + 2] - s0));
-            left = i == 0 ? right : (mean[i] - mean[i - 1]) / (0.5 * (s1 - p->edge[i - 1] * p->edge[i - 1]));
-            if (left * right <= 0) continue;
-            slope = 2 * left * right / (left + right);
-            most = 2 * mean[i] / (s1 - s0);
-            p->slope[c][i] = slope > most ? most : slope < -most ? -most : slope;
+        for (i = 0; i < count; ++i) p->ring[i].mean[c] = value[c][(size_t)i * (size_t)stride];
+        for (i = 0; i + 1 < count; ++i) { /* van Leer's limited slope over r^2: zero at extrema, never below R_d = 0 */
+            const double middle = ms_sss__middle2(p, i), mean = p->ring[i].mean[c];
+            const double right = (p->ring[i + 1].mean[c] - mean) / (ms_sss__middle2(p, i + 1) - middle);
+            const double left = i == 0 ? right : (mean - p->ring[i - 1].mean[c]) / (middle - ms_sss__middle2(p, i - 1));
+            const double most = mean / (ms_sss__outer2(p, i) - middle);
+            if (left * right > 0) p->ring[i].slope[c] = fmax(-most, fmin(2 * left * right / (left + right), most));
         }
     }
     ms_sss__profile_accumulate(p);
@@ -4441,15 +4411,14 @@ MS_SSS__COLD MS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profi
     inner = r_mm[0] > 0; /* one more ring, inside the first sample */
     status = ms_sss__profile_alloc(&p, MS_SSS__RINGS, count - 1 + inner, allocator, error);
     if (status != MS_OK) return status;
-    p->edge[0] = 0;
-    memcpy(p->edge + inner, r_mm, sizeof *r_mm * (size_t)count);
-    for (c = 0; c < 3; ++c) {
-        p->mean[c][0] = value[c][0];
-        p->slope[c][0] = 0;
-        for (i = 0; i + 1 < count; ++i) {
+    for (c = 0; c < 3; ++c) p->ring[0].mean[c] = value[c][0];
+    for (i = 0; i < count; ++i) {
+        ms_sss__ring *ring = &p->ring[i + inner];
+        ring->edge = r_mm[i];
+        for (c = 0; c < 3 && i + 1 < count; ++c) {
             double v0 = value[c][(size_t)i * (size_t)stride], v1 = value[c][((size_t)i + 1) * (size_t)stride];
-            p->mean[c][i + inner] = 0.5 * (v0 + v1);
-            p->slope[c][i + inner] = (v1 - v0) / ((r_mm[i + 1] - r_mm[i]) * (r_mm[i + 1] + r_mm[i]));
+            ring->mean[c] = 0.5 * (v0 + v1);
+            ring->slope[c] = (v1 - v0) / ((r_mm[i + 1] - r_mm[i]) * (r_mm[i + 1] + r_mm[i]));
         }
     }
     ms_sss__profile_accumulate(p);
@@ -4458,30 +4427,29 @@ MS_SSS__COLD MS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profi
 }
 
 static MS_SSS__COLD ms_status ms_sss__from_lengths(ms_sss_profile **profile, ms_sss__profile_kind kind, int count,
-                                                   const double (*length_mm)[3], const double (*weight)[3],
+                                                   const double (*length)[3], const double (*weight)[3],
                                                    const ms_allocator *allocator, ms_error *error)
 {
+    const int burley = kind == MS_SSS__BURLEY;
+    const char *const length_name = burley ? "d_mm" : "sigma_mm",
+                      *const weight_name = burley ? "reflectance" : "weight";
     ms_status status;
     int i, c;
     if (profile == NULL) return MS_SSS__REFUSE(error, "profile is NULL");
     *profile = NULL;
-    if (length_mm == NULL) return MS_SSS__REFUSE(error, "%s is NULL", kind == MS_SSS__BURLEY ? "d_mm" : "sigma_mm");
-    if (weight == NULL) return MS_SSS__REFUSE(error, "%s is NULL", kind == MS_SSS__BURLEY ? "reflectance" : "weight");
+    if (length == NULL) return MS_SSS__REFUSE(error, "%s is NULL", length_name);
+    if (weight == NULL) return MS_SSS__REFUSE(error, "%s is NULL", weight_name);
     if (count < 1 || count > MS_SSS_GAUSSIANS_MAX)
         return MS_SSS__REFUSE(error, "count is %d; 1 to %d expected", count, MS_SSS_GAUSSIANS_MAX);
     for (i = 0; i < count; ++i)
         for (c = 0; c < 3; ++c)
-            if (!(length_mm[i][c] >= 1e-9 && length_mm[i][c] <= 1e9 && weight[i][c] >= 0 && weight[i][c] <= 1e9))
-                return kind == MS_SSS__BURLEY
-                    ? ms__fail(error, MS_INVALID_ARGUMENT, (size_t)c,
-                               "channel %d: d_mm %g, reflectance %g; 1e-9 to 1e9 and 0 to 1e9 expected", c,
-                               length_mm[i][c], weight[i][c])
-                    : ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
-                               "Gaussian %d, channel %d: sigma_mm %g, weight %g; 1e-9 to 1e9 and 0 to 1e9 expected", i,
-                               c, length_mm[i][c], weight[i][c]);
+            if (!(length[i][c] >= 1e-9 && length[i][c] <= 1e9 && weight[i][c] >= 0 && weight[i][c] <= 1e9))
+                return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)(burley ? c : i),
+                                "entry %d, channel %d: %s %g, %s %g; 1e-9 to 1e9 and 0 to 1e9 expected", i, c,
+                                length_name, length[i][c], weight_name, weight[i][c]);
     status = ms_sss__profile_alloc(profile, kind, count, allocator, error);
     if (status != MS_OK) return status;
-    memcpy((*profile)->length, length_mm, sizeof *length_mm * (size_t)count);
+    memcpy((*profile)->length, length, sizeof *length * (size_t)count);
     memcpy((*profile)->weight, weight, sizeof *weight * (size_t)count);
     return MS_OK;
 }
@@ -4518,10 +4486,10 @@ MS_API void ms_sss_profile_destroy(ms_sss_profile *profile)
 static int ms_sss__ring_of(const ms_sss_profile *p, double r)
 {
     int low = -1, high = p->count;
-    if (r >= p->edge[p->count]) return p->count;
+    if (r >= p->ring[p->count].edge) return p->count;
     while (high - low > 1) {
         int middle = low + (high - low) / 2;
-        if (p->edge[middle] <= r) low = middle;
+        if (p->ring[middle].edge <= r) low = middle;
         else high = middle;
     }
     return low;
@@ -4536,8 +4504,7 @@ MS_SSS__COLD MS_API void ms_sss_profile_value(const ms_sss_profile *p, double r,
         if (p->kind == MS_SSS__RINGS) {
             i = ms_sss__ring_of(p, r);
             if (i < 0 || i >= p->count) continue;
-            out[c] = p->mean[c][i] +
-                p->slope[c][i] * (r * r - 0.5 * (p->edge[i] * p->edge[i] + p->edge[i + 1] * p->edge[i + 1]));
+            out[c] = p->ring[i].mean[c] + p->ring[i].slope[c] * (r * r - ms_sss__middle2(p, i));
             if (out[c] < 0) out[c] = 0; /* rounding */
             continue;
         }
@@ -4557,7 +4524,7 @@ MS_API void ms_sss_profile_disc(const ms_sss_profile *p, double r, double out[3]
         out[c] = 0;
         if (p->kind == MS_SSS__RINGS) {
             i = ms_sss__ring_of(p, r);
-            if (i >= 0) out[c] = p->inside[c][i];
+            if (i >= 0) out[c] = p->ring[i].inside[c];
             if (i >= 0 && i < p->count) out[c] += ms_sss__ring_energy(p, c, i, r * r);
             if (out[c] < 0) out[c] = 0; /* rounding */
             continue;
@@ -4573,7 +4540,7 @@ MS_API void ms_sss_profile_disc(const ms_sss_profile *p, double r, double out[3]
 MS_API void ms_sss_profile_reflectance(const ms_sss_profile *p, double out[3])
 {
     if (p == NULL || out == NULL) return;
-    ms_sss_profile_disc(p, p->kind == MS_SSS__RINGS ? p->edge[p->count] : 1e30, out);
+    ms_sss_profile_disc(p, p->kind == MS_SSS__RINGS ? p->ring[p->count].edge : 1e30, out);
 }
 
 MS_SSS__COLD MS_API void ms_sss_profile_radius(const ms_sss_profile *p, double fraction, double out[3])
@@ -4583,22 +4550,14 @@ MS_SSS__COLD MS_API void ms_sss_profile_radius(const ms_sss_profile *p, double f
     if (p == NULL || out == NULL) return;
     ms_sss_profile_reflectance(p, total);
     for (c = 0; c < 3; ++c) {
-        double low = 0, high = 1e-9;
-        out[c] = 0;
-        if (!(total[c] > 0)) continue;
-        for (i = 0; i < 70; ++i) { /* the last radius that all doubles of 1e-9 mm to 1e12 mm need */
-            ms_sss_profile_disc(p, high, inside);
-            if (inside[c] >= fraction * total[c]) break;
-            low = high;
-            high *= 2;
-        }
-        while (high - low > 1e-10 * high && high > 1e-300) { /* below, halves are no longer smaller */
-            double middle = 0.5 * (low + high);
+        double low = 1e-30, high = 1e12;
+        for (i = 0; i < 64; ++i) { /* 96 in the logarithm, down to rounding */
+            const double middle = sqrt(low * high);
             ms_sss_profile_disc(p, middle, inside);
             if (inside[c] >= fraction * total[c]) high = middle;
             else low = middle;
         }
-        out[c] = high;
+        out[c] = total[c] > 0 ? high : 0;
     }
 }
 
@@ -4630,13 +4589,13 @@ MS_SSS__COLD MS_API void ms_sss_profile_line(const ms_sss_profile *p, double x, 
             i = ms_sss__ring_of(p, x);
             if (i < 0) {
                 i = 0;
-                u0 = sqrt((p->edge[0] - x) * (p->edge[0] + x));
+                u0 = sqrt((p->ring[0].edge - x) * (p->ring[0].edge + x));
             }
             for (; i < p->count; ++i) { /* r = sqrt(x^2 + u^2) runs over the ring as u runs from u0 to u1 */
-                double u1 = sqrt((p->edge[i + 1] - x) * (p->edge[i + 1] + x));
-                double middle = 0.5 * (p->edge[i] * p->edge[i] + p->edge[i + 1] * p->edge[i + 1]);
-                double mean = p->mean[c][i] + p->slope[c][i] * (x * x - middle);
-                out[c] += ms_sss__chord(mean, p->slope[c][i], u1) - ms_sss__chord(mean, p->slope[c][i], u0);
+                const double u1 = sqrt((p->ring[i + 1].edge - x) * (p->ring[i + 1].edge + x));
+                const double slope = p->ring[i].slope[c];
+                const double mean = p->ring[i].mean[c] + slope * (x * x - ms_sss__middle2(p, i));
+                out[c] += ms_sss__chord(mean, slope, u1) - ms_sss__chord(mean, slope, u0);
                 u0 = u1;
             }
             continue;
@@ -4661,23 +4620,23 @@ MS_SSS__COLD MS_API void ms_sss_profile_strip(const ms_sss_profile *p, double x,
             double angle0 = 0.5 * MS_SSS__PI, u0 = 0, s0 = x * x;
             i = ms_sss__ring_of(p, x);
             if (i < 0) {
+                const double r = p->ring[0].edge;
                 i = 0;
-                s0 = p->edge[0] * p->edge[0];
-                u0 = sqrt((p->edge[0] - x) * (p->edge[0] + x));
-                angle0 = p->edge[0] > 0 ? asin(x / p->edge[0]) : angle0;
+                s0 = r * r;
+                u0 = sqrt((r - x) * (r + x));
+                angle0 = r > 0 ? asin(x / r) : angle0;
             } else {
-                out[c] = p->inside[c][i];
+                out[c] = p->ring[i].inside[c];
                 if (i < p->count) out[c] += ms_sss__ring_energy(p, c, i, s0);
             }
             for (; i < p->count; ++i) {
-                double r = p->edge[i + 1], s1 = r * r, u1 = sqrt((r - x) * (r + x)), angle1 = asin(x / r);
-                double middle = 0.5 * (p->edge[i] * p->edge[i] + s1);
+                double r = p->ring[i + 1].edge, s1 = r * r, u1 = sqrt((r - x) * (r + x)), angle1 = asin(x / r);
                 /* integrals over s = r^2 of asin(x/r) and of s asin(x/r) */
                 double g0 = s1 * angle1 - s0 * angle0 + x * (u1 - u0);
                 double g1 = 0.5 *
                     (s1 * s1 * angle1 - s0 * s0 * angle0 + x * (u1 * u1 * u1 - u0 * u0 * u0) / 3 +
                      x * x * x * (u1 - u0));
-                out[c] += 2 * (p->mean[c][i] * g0 + p->slope[c][i] * (g1 - middle * g0));
+                out[c] += 2 * (p->ring[i].mean[c] * g0 + p->ring[i].slope[c] * (g1 - ms_sss__middle2(p, i) * g0));
                 s0 = s1;
                 u0 = u1;
                 angle0 = angle1;
@@ -4704,9 +4663,11 @@ enum {
     MS_SSS__HALF = 256,
     MS_SSS__OCTANT = (MS_SSS__HALF + 1) * (MS_SSS__HALF + 2) / 2,
     MS_SSS__CELLS_MAX = 128,
+    MS_SSS__ROW_MAX = MS_SSS__CELLS_MAX + 1,
     MS_SSS__RINGS_MAX = 512,
-    MS_SSS__SIGNALS = 6, /* of ms_sss_errors */
-    MS_SSS__TEXTURE = 5, /* the last of them */
+    MS_SSS__SIGNALS = 6,    /* of ms_sss_errors */
+    MS_SSS__TEXTURE = 5,    /* the last of them */
+    MS_SSS__FIT_PAIRS = 16, /* of the 33 taps that are fitted */
     MS_SSS__NODES_MAX = 96,
     MS_SSS__BINS_MAX = MS_SSS__NODES_MAX * (MS_SSS__NODES_MAX + 1) / 2
 };
@@ -4714,16 +4675,16 @@ enum {
 struct ms_sss_designer {
     int cells; /* from the center to the edge of the square that holds the kernel */
     double cell_mm;
-    double reflectance[3], width[3];  /* 99% radius of each channel, cells */
-    double mean_mm[3];                /* distance between entry and exit */
-    int widest;                       /* channel */
-    double cosine[MS_SSS__SIZE];      /* cos(2 pi i / 512) */
-    double variance[MS_SSS__SIGNALS]; /* of the signals after the true convolution, channels summed */
-    double *cell[3];                  /* [cells + 1][cells + 1], the sum over all quadrants is 1 */
-    double *slice[3];                 /* [cells + 1] R_d along the axis, any scale */
-    double *spectrum[3];              /* [OCTANT] of cell */
-    float *power[MS_SSS__SIGNALS];    /* [OCTANT] |signal|^2, summed over the 8 bins that share a value */
-    size_t bytes;
+    double reflectance[3], width[3];                   /* 99% radius of each channel, cells */
+    double mean_mm[3];                                 /* distance between entry and exit */
+    int widest;                                        /* channel */
+    double cosine[MS_SSS__SIZE];                       /* cos(2 pi i / 512) */
+    double variance[MS_SSS__SIGNALS];                  /* of the signals after the true convolution, channels summed */
+    double cell[3][MS_SSS__ROW_MAX * MS_SSS__ROW_MAX]; /* [cells + 1][cells + 1], the sum over all quadrants is 1 */
+    double slice[3][MS_SSS__ROW_MAX];                  /* [cells + 1] R_d along the axis, any scale */
+    double spectrum[3][MS_SSS__OCTANT];                /* of cell */
+    float power[MS_SSS__SIGNALS][MS_SSS__OCTANT];      /* |signal|^2, summed over the 8 bins that share a value */
+    double columns[(MS_SSS__HALF + 1) * MS_SSS__ROW_MAX]; /* [257][cells + 1], scratch of the spectra */
     ms_allocator allocator;
 };
 
@@ -4747,9 +4708,11 @@ static int ms_sss__thin_rings(double outer, double *edge)
     return n - 1;
 }
 
-/* Integrals of R_d over the square cells of size h: [cells + 1][cells + 1] a channel, scaled to a total of 1. */
-static void ms_sss__fill_cells(const ms_sss_profile *p, int cells, double h, double *const out[3])
+/* Integrals of R_d over the square cells, scaled to a total of 1. */
+static void ms_sss__fill_cells(ms_sss_designer *d, const ms_sss_profile *p)
 {
+    const int cells = d->cells;
+    const double h = d->cell_mm;
     double edge[MS_SSS__RINGS_MAX], density[MS_SSS__RINGS_MAX][3], inside[3] = {0, 0, 0}, disc[3], total;
     int rings = ms_sss__thin_rings(1.4143 * (cells + 0.5), edge), row = cells + 1, i, j, k, c;
     for (k = 0; k < rings; ++k) { /* energy between two radii over the ring's area */
@@ -4763,60 +4726,57 @@ static void ms_sss__fill_cells(const ms_sss_profile *p, int cells, double h, dou
         for (j = 0; j <= i; ++j) {
             double x0 = i - 0.5, x1 = i + 0.5, y0 = j - 0.5, y1 = j + 0.5, sum[3] = {0, 0, 0}, before = 0;
             double nearest = hypot(i > 0 ? x0 : 0, j > 0 ? y0 : 0), farthest = hypot(x1, y1);
-            int low = 0, high = rings;
-            while (high - low > 1) {
-                k = (low + high) / 2;
-                if (edge[k] <= nearest) low = k;
-                else high = k;
-            }
-            for (k = low; k < rings && edge[k] < farthest; ++k) { /* area of the intersection of ring and cell */
+            for (k = 0; edge[k + 1] <= nearest;) ++k;
+            for (; k < rings && edge[k] < farthest; ++k) { /* area of the intersection of ring and cell */
                 double r = edge[k + 1];
                 double area = ms_sss__disc_corner(x1, y1, r) - ms_sss__disc_corner(x0, y1, r) -
                     ms_sss__disc_corner(x1, y0, r) + ms_sss__disc_corner(x0, y0, r);
                 for (c = 0; c < 3; ++c) sum[c] += density[k][c] * (area - before);
                 before = area;
             }
-            for (c = 0; c < 3; ++c) out[c][i * row + j] = out[c][j * row + i] = sum[c];
+            for (c = 0; c < 3; ++c) d->cell[c][i * row + j] = d->cell[c][j * row + i] = sum[c];
         }
     for (c = 0; c < 3; ++c) {
         if (p->kind == MS_SSS__GAUSSIANS) { /* separable: exact without rings */
-            double g[MS_SSS__CELLS_MAX + 1];
-            memset(out[c], 0, sizeof(double) * (size_t)(row * row));
+            double g[MS_SSS__ROW_MAX];
+            memset(d->cell[c], 0, sizeof(double) * (size_t)(row * row));
             for (k = 0; k < p->count; ++k) {
                 double s = h / (p->length[k][c] * sqrt(2.0));
                 for (i = 0; i <= cells; ++i) g[i] = 0.5 * (erf((i + 0.5) * s) - erf((i - 0.5) * s));
                 for (i = 0; i <= cells; ++i)
-                    for (j = 0; j <= cells; ++j) out[c][i * row + j] += p->weight[k][c] * g[i] * g[j];
+                    for (j = 0; j <= cells; ++j) d->cell[c][i * row + j] += p->weight[k][c] * g[i] * g[j];
             }
         }
         total = 0;
         for (i = 0; i <= cells; ++i)
-            for (j = 0; j <= cells; ++j) total += out[c][i * row + j] * (i ? 2 : 1) * (j ? 2 : 1);
+            for (j = 0; j <= cells; ++j) total += d->cell[c][i * row + j] * (i ? 2 : 1) * (j ? 2 : 1);
         if (!(total > 0)) { /* a channel without light: the identity */
-            memset(out[c], 0, sizeof(double) * (size_t)(row * row));
-            total = out[c][0] = 1;
+            memset(d->cell[c], 0, sizeof(double) * (size_t)(row * row));
+            total = d->cell[c][0] = 1;
         }
-        for (i = 0; i < row * row; ++i) out[c][i] /= total;
+        for (i = 0; i < row * row; ++i) d->cell[c][i] /= total;
     }
 }
 
-/* Spectrum of an even kernel given as cells. columns: [257][cells + 1] scratch. */
-static void ms_sss__spectrum(const ms_sss_designer *d, const double *cell, double *columns, double *out)
+/* The spectrum of a channel's cells. */
+static void ms_sss__spectrum(ms_sss_designer *d, int c)
 {
+    const double *cell = d->cell[c];
+    double *columns = d->columns, *out = d->spectrum[c];
     int row = d->cells + 1, i, j, k1, k2;
     for (k1 = 0; k1 <= MS_SSS__HALF / 2; ++k1) { /* along x; the even and the odd cells serve k1 and 256 - k1 */
         double *column = columns + k1 * row, *mirror = columns + (MS_SSS__HALF - k1) * row;
-        double odd[MS_SSS__CELLS_MAX + 1];
+        double odd[MS_SSS__ROW_MAX];
         for (j = 0; j < row; ++j) column[j] = odd[j] = 0;
         for (i = 0; i < row; ++i) {
-            double c = (i ? 2 : 1) * d->cosine[k1 * i % MS_SSS__SIZE], *to = i % 2 ? odd : column;
-            for (j = 0; j < row; ++j) to[j] += c * cell[i * row + j];
+            double wave = (i ? 2 : 1) * d->cosine[k1 * i % MS_SSS__SIZE], *to = i % 2 ? odd : column;
+            for (j = 0; j < row; ++j) to[j] += wave * cell[i * row + j];
         }
         for (j = 0; j < row; ++j) mirror[j] = column[j] - odd[j];
         for (j = 0; j < row; ++j) column[j] += odd[j];
     }
     for (k2 = 0; k2 <= MS_SSS__HALF; ++k2) {
-        double wave[MS_SSS__CELLS_MAX + 1];
+        double wave[MS_SSS__ROW_MAX];
         for (j = 0; j < row; ++j) wave[j] = (j ? 2 : 1) * d->cosine[k2 * j % MS_SSS__SIZE];
         for (k1 = k2; k1 <= MS_SSS__HALF; ++k1) {
             const double *column = columns + k1 * row;
@@ -4832,7 +4792,7 @@ static void ms_sss__spectrum(const ms_sss_designer *d, const double *cell, doubl
 }
 
 /* |DFT|^2 of a disk of pixels around (256, 256): its rows are runs, whose transforms are Dirichlet kernels. */
-static void ms_sss__disk_power(const ms_sss_designer *d, int radius, float *power)
+static void ms_sss__disk_power(ms_sss_designer *d, int radius, float *power)
 {
     double *amplitude = d->spectrum[0]; /* free until the profile's spectrum is made */
     int y, k1, k2;
@@ -4881,7 +4841,7 @@ static double ms_sss__uniform(int bin, int index)
     return ((double)(((uint64_t)x[half] << 32 | x[half + 1]) >> 12) + 0.5) / 4503599627370496.0;
 }
 
-static void ms_sss__signal_power(const ms_sss_designer *d)
+static void ms_sss__signal_power(ms_sss_designer *d)
 {
     enum { DRAWN = 24 };
     int k1, k2, n;
@@ -4925,21 +4885,11 @@ static MS_SSS__COLD void ms_sss__mean_distance(const ms_sss_profile *profile, co
     }
 }
 
-/* The decay of ms_sss_transmittance by a channel's reflectance, held below 1, and mean distance. */
+/* The decay of a kernel by the channel's reflectance and mean distance. */
 static double ms_sss__decay_of(double R, double mean)
 {
+    R = R < 0.9999 ? R : 0.9999;
     return R > 0 && mean > 0 ? (1 - R) * (0.52 - 0.6 * log(1 - R) + 0.625 * sqrt(R)) / mean : 0;
-}
-
-static void ms_sss__decay(const ms_sss_profile *profile, double total[3], double decay[3])
-{
-    double radius[3], mean[3], widest = ms_sss__extent(profile, total, radius);
-    int c;
-    ms_sss__mean_distance(profile, total, widest, mean);
-    for (c = 0; c < 3; ++c) {
-        total[c] = total[c] < 0.9999 ? total[c] : 0.9999;
-        decay[c] = ms_sss__decay_of(total[c], mean[c]);
-    }
 }
 
 MS_API double ms_sss_elevation(double reflectance, double index)
@@ -4948,27 +4898,11 @@ MS_API double ms_sss_elevation(double reflectance, double index)
     return reflectance > 0 ? 0.57 - 0.07 * t + (2.45 - 0.25 * t) * q + (1.8 + 0.7 * t) * pow(q, 6 + 6 * t) : 0;
 }
 
-/* The arrays of a designer behind it; returns the scratch of its spectra. */
-static double *ms_sss__designer_layout(ms_sss_designer *d, ms__arena *arena)
-{
-    const size_t row = (size_t)d->cells + 1;
-    int c, s;
-    ms__take(arena, 1, sizeof *d);
-    for (c = 0; c < 3; ++c) {
-        d->spectrum[c] = (double *)ms__take(arena, MS_SSS__OCTANT, sizeof(double));
-        d->cell[c] = (double *)ms__take(arena, row * row, sizeof(double));
-        d->slice[c] = (double *)ms__take(arena, row, sizeof(double));
-    }
-    for (s = 0; s < MS_SSS__SIGNALS; ++s) d->power[s] = (float *)ms__take(arena, MS_SSS__OCTANT, sizeof(float));
-    return (double *)ms__take(arena, (MS_SSS__HALF + 1) * row, sizeof(double));
-}
-
 MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss_profile *profile, double radius_px,
                                         const ms_allocator *allocator, ms_error *error)
 {
-    double radius[3], total[3], widest, *columns;
-    ms__arena arena = {NULL, 0};
-    ms_sss_designer layout, *d;
+    double radius[3], total[3], widest;
+    ms_sss_designer *d;
     int c, s, o;
     if (designer == NULL || profile == NULL) return MS_SSS__REFUSE(error, "designer or profile is NULL");
     *designer = NULL;
@@ -4978,18 +4912,12 @@ MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss
     widest = ms_sss__extent(profile, total, radius);
     if (!(widest > 0)) return MS_SSS__REFUSE(error, "the profile holds no light in any channel");
     if (radius_px > (int)MS_SSS__CELLS_MAX) radius_px = (int)MS_SSS__CELLS_MAX;
-    memset(&layout, 0, sizeof layout);
-    layout.cells = radius_px > 1 ? (int)(radius_px + 0.5) : 1;
-    layout.cell_mm = widest / (radius_px + 0.5);
-    if (allocator != NULL) layout.allocator = *allocator;
-    ms_sss__designer_layout(&layout, &arena);
-    layout.bytes = arena.used;
-    arena.base = (char *)ms__alloc(allocator, arena.used);
-    if (!arena.base) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a designer of %z bytes", layout.bytes);
-    arena.used = 0;
-    columns = ms_sss__designer_layout(&layout, &arena);
-    d = (ms_sss_designer *)(void *)arena.base;
-    *d = layout;
+    d = (ms_sss_designer *)ms__alloc(allocator, sizeof *d);
+    if (!d) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a designer of %z bytes", sizeof *d);
+    memset(d, 0, sizeof *d);
+    d->cells = radius_px > 1 ? (int)(radius_px + 0.5) : 1;
+    d->cell_mm = widest / (radius_px + 0.5);
+    if (allocator != NULL) d->allocator = *allocator;
     for (c = 0; c < 3; ++c) {
         d->reflectance[c] = total[c];
         d->width[c] = radius[c] / d->cell_mm;
@@ -4998,7 +4926,7 @@ MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss
     ms_sss__mean_distance(profile, total, widest, d->mean_mm);
     for (o = 0; o < MS_SSS__SIZE; ++o) d->cosine[o] = cos(2 * MS_SSS__PI * o / (int)MS_SSS__SIZE);
     ms_sss__signal_power(d);
-    ms_sss__fill_cells(profile, d->cells, d->cell_mm, d->cell);
+    ms_sss__fill_cells(d, profile);
     for (o = 0; o <= d->cells; ++o) { /* a pole at 0 is read at an eighth of a cell */
         const int pole = o == 0 && profile->kind != MS_SSS__GAUSSIANS;
         double at[3];
@@ -5006,7 +4934,7 @@ MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss
         for (c = 0; c < 3; ++c) d->slice[c][o] = at[c];
     }
     for (c = 0; c < 3; ++c) {
-        ms_sss__spectrum(d, d->cell[c], columns, d->spectrum[c]);
+        ms_sss__spectrum(d, c);
         for (s = 0; s < MS_SSS__SIGNALS; ++s)
             for (o = 1; o < MS_SSS__OCTANT; ++o)
                 d->variance[s] += (double)d->power[s][o] * d->spectrum[c][o] * d->spectrum[c][o];
@@ -5020,7 +4948,7 @@ MS_API void ms_sss_designer_destroy(ms_sss_designer *designer)
     ms_allocator allocator;
     if (designer == NULL) return;
     allocator = designer->allocator;
-    ms__release(&allocator, designer, designer->bytes);
+    ms__release(&allocator, designer, sizeof *designer);
 }
 
 /* ---- kernel errors --------------------------------------------------------------------------------------------- */
@@ -5039,10 +4967,9 @@ static double ms_sss__pair_transfer(const ms_sss_designer *d, int k, double x, d
 
 /* A kernel in cells and doubles, for design and measurement. Term t of channel c: sign w w^T. */
 typedef struct ms_sss__curve {
-    int pairs, terms, hats;
-    double times[MS_SSS__CELLS_MAX + 1];                       /* factor of an entry in the energy: 1, 2, 2, ... */
-    double offset[MS_SSS__CELLS_MAX + 1];                      /* [0] is the center */
-    double weight[3][MS_SSS_TERMS_MAX][MS_SSS__CELLS_MAX + 1]; /* of the center, then of each tap of a pair */
+    int pairs, terms;
+    double offset[MS_SSS__ROW_MAX];                      /* [0] is the center */
+    double weight[3][MS_SSS_TERMS_MAX][MS_SSS__ROW_MAX]; /* of the center, then of each tap of a pair */
     double sign[3][MS_SSS_TERMS_MAX];
     double delta[3], energy[3]; /* energy of delta and all terms: 1, but for SVD */
 } ms_sss__curve;
@@ -5091,16 +5018,13 @@ static void ms_sss__curve_transfer(const ms_sss__curve *v, const ms_sss__waves *
 static void ms_sss__kernel_curve(const ms_sss_designer *d, const ms_sss_kernel *kernel, ms_sss__curve *v)
 {
     int i, t, c;
-    v->hats = 0;
     v->pairs = kernel->tap_count / 2;
     v->terms = kernel->term_count;
     for (i = 0; i <= v->pairs; ++i) {
-        int tap = 2 * i;
-        v->times[i] = i ? 2 : 1;
-        v->offset[i] = fabs((double)kernel->offset_mm[tap]) / d->cell_mm;
+        v->offset[i] = (double)kernel->offset_mm[i] / d->cell_mm;
         if (fabs(v->offset[i] - floor(v->offset[i] + 0.5)) < 1e-4) v->offset[i] = floor(v->offset[i] + 0.5); /* float */
         for (t = 0; t < v->terms; ++t)
-            for (c = 0; c < 3; ++c) v->weight[c][t][i] = (double)kernel->weight[t][tap][c];
+            for (c = 0; c < 3; ++c) v->weight[c][t][i] = (double)kernel->weight[t][i][c];
     }
     for (c = 0; c < 3; ++c) {
         for (t = 0; t < v->terms; ++t) v->sign[c][t] = (double)kernel->scale[t][c];
@@ -5168,39 +5092,32 @@ static double ms_sss__curve_bands(const ms_sss_designer *d, ms_sss__measurement 
     return most;
 }
 
-static void ms_sss__measure(ms_sss_errors *errors, const ms_sss_kernel *kernel, const ms_sss_designer *designer,
-                            ms_sss__measurement *m)
-{
-    double error[MS_SSS__SIGNALS];
-    ms_sss__kernel_curve(designer, kernel, &m->curve);
-    ms_sss__curve_errors(designer, &m->curve, &m->waves, error);
-    memcpy(errors, error, sizeof error); /* in their order */
-    errors->bands = ms_sss__curve_bands(designer, m);
-}
-
 MS_SSS__COLD MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
                                                     const ms_sss_designer *designer)
 {
+    double error[MS_SSS__SIGNALS];
     ms_sss__measurement *m;
     ms_status status;
     int i;
     if (errors == NULL || kernel == NULL || designer == NULL) return MS_INVALID_ARGUMENT;
     if ((status = ms_sss__check_kernel(kernel, 0, NULL)) != MS_OK) return status;
-    for (i = 0; i < kernel->tap_count; ++i)
-        if (fabs((double)kernel->offset_mm[i]) > 1e6 * designer->cell_mm) return MS_INVALID_ARGUMENT;
+    for (i = 0; i <= kernel->tap_count / 2; ++i)
+        if ((double)kernel->offset_mm[i] > 1e6 * designer->cell_mm) return MS_INVALID_ARGUMENT;
     m = (ms_sss__measurement *)ms__alloc(&designer->allocator, sizeof *m);
     if (m == NULL) return MS_OUT_OF_MEMORY;
-    ms_sss__measure(errors, kernel, designer, m);
+    ms_sss__kernel_curve(designer, kernel, &m->curve);
+    ms_sss__curve_errors(designer, &m->curve, &m->waves, error);
+    memcpy(errors, error, sizeof error); /* in their order */
+    errors->bands = ms_sss__curve_bands(designer, m);
     ms__release(&designer->allocator, m, sizeof *m);
     return MS_OK;
 }
 
 /* ---- taps ------------------------------------------------------------------------------------------------------ */
 
-/* The bins over which taps are fitted: every frequency up to 12 + a third of the cells, as far as spectra of such
-   kernels have detail that matters, then with gaps that grow in proportion; each bin also stands for the gap around it.
-   With `coarse` about a quarter of them, for searches. */
-/* node: frequencies, share: the number of the 512 frequencies that each represents; returns the count. */
+/* The frequencies over which taps are fitted: every one up to 12 + a third of the cells, as far as spectra of such
+   kernels have detail that matters, then with gaps that grow in proportion. With `coarse` about a quarter of them, for
+   searches. share: the number of the 512 frequencies that each node represents. Returns their count. */
 static int ms_sss__nodes(int cells, int coarse, int *node, double *share)
 {
     int count = 0, all = (12 + cells / 3) >> coarse, growth = coarse ? 3 : 6, k, n;
@@ -5218,7 +5135,7 @@ static double ms_sss__term_sum(const ms_sss__curve *v, int c, int t)
 {
     double sum = 0;
     int i;
-    for (i = 0; i <= v->pairs; ++i) sum += v->times[i] * v->weight[c][t][i];
+    for (i = 0; i <= v->pairs; ++i) sum += (i ? 2 : 1) * v->weight[c][t][i];
     return sum;
 }
 
@@ -5238,20 +5155,21 @@ static void ms_sss__curve_normalize(ms_sss__curve *v)
 }
 
 /* A least-squares fit of taps to a target spectrum under a picture prior:
-     minimize sum over bins of weight (target - delta - sum_t sign_t wave_t(line 1) wave_t(line 2))^2
-   where wave(line) = w_0 + sum_i w_i basis_i(line) is one pass. Unknown are the offsets (optional, shared by the
-   channels), w_i = q_i^2 >= 0 of the first term, any w_i of the others, and delta = q^2; then all terms are scaled to
-   keep the energy. The entries of a curve of hats are no pairs of taps but bumps over many cells. */
+     minimize sum over bins of weight (target - delta - sum_t sign_t wave_t(node 1) wave_t(node 2))^2
+   where wave(node) = w_0 + sum_i w_i basis_i(node) is one pass. Unknown are the offsets, which the channels share, and
+   of each channel w_i = q_i^2 >= 0 of the first term, any w_i of the others, and delta = q^2; then all terms are scaled
+   to keep the energy. A bin is a pair of nodes, in the order of the octant. */
 typedef struct ms_sss__fit {
     const ms_sss_designer *d;
-    int lines, bins, pairs, terms, use_delta, unknowns, local;
-    int first, end, moved; /* channels; offsets */
-    int k1[MS_SSS__BINS_MAX], k2[MS_SSS__BINS_MAX];
-    int line1[MS_SSS__BINS_MAX], line2[MS_SSS__BINS_MAX];
+    int nodes, pairs, terms, use_delta;
+    int unknowns, local; /* of all; that one channel's bins depend on */
+    int node[MS_SSS__NODES_MAX];
     double weight[MS_SSS__BINS_MAX], target[MS_SSS__BINS_MAX][3];
-    double *basis, *slope;          /* [lines][pairs] of both taps of a pair; d basis / d offset */
-    double *wave;                   /* [3][MS_SSS_TERMS_MAX][lines] */
-    double *jacobian, *x, *scratch; /* [local], [unknowns], of ms_sss__descend */
+    double basis[MS_SSS__NODES_MAX][MS_SSS__FIT_PAIRS]; /* of both taps of a pair */
+    double slope[MS_SSS__NODES_MAX][MS_SSS__FIT_PAIRS]; /* d basis / d offset */
+    double wave[3][MS_SSS_TERMS_MAX][MS_SSS__NODES_MAX];
+    double jacobian[MS_SSS__FIT_PAIRS + MS_SSS_TERMS_MAX * (MS_SSS__FIT_PAIRS + 1) + 1]; /* [local] */
+    double *x, *scratch; /* [unknowns]; of ms_sss__descend */
     ms_sss__curve trial, hop;
     ms_sss__waves waves;
     size_t bytes;
@@ -5263,129 +5181,110 @@ typedef struct ms_sss__fit {
 static void ms_sss__fit_bins(ms_sss__fit *fit, const ms_sss__curve *model, double dial, int coarse)
 {
     double share[MS_SSS__NODES_MAX], all = 0, on_axis = 0;
-    int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(fit->d->cells, coarse, node, share), a, b, c, n = 0;
+    const int *node = fit->node;
+    int a, b, c, n = 0;
+    fit->nodes = ms_sss__nodes(fit->d->cells, coarse, fit->node, share);
     if (model != NULL) ms_sss__curve_waves(fit->d, model, &fit->waves);
-    for (a = 0; a < nodes; ++a)
+    for (a = 0; a < fit->nodes; ++a)
         for (b = 0; b <= a; ++b, ++n) {
             double squares = 0;
-            fit->k1[n] = node[a];
-            fit->k2[n] = node[b];
-            fit->line1[n] = a;
-            fit->line2[n] = b;
             for (c = 0; c < 3; ++c) fit->target[n][c] = fit->d->spectrum[c][ms_sss__octant(node[a], node[b])];
             if (model != NULL) ms_sss__curve_transfer(model, &fit->waves, node[a], node[b], fit->target[n]);
             for (c = 0; c < 3; ++c) squares += fit->target[n][c] * fit->target[n][c];
-            fit->weight[n] = n == 0 ? 0
-                                    : share[a] * share[b] * (a == b ? 1 : 2) * ms_sss__texture_power(node[a], node[b]);
+            if (n > 0)
+                fit->weight[n] = share[a] * share[b] * (a == b ? 1 : 2) * ms_sss__texture_power(node[a], node[b]);
             all += fit->weight[n] * squares;
             if (b == 0 && a > 0) on_axis += share[a] / ((double)node[a] * node[a]) * squares;
         }
-    fit->bins = n;
-    fit->lines = nodes;
-    for (n = 1; n < fit->bins; ++n) fit->weight[n] *= (1 - dial) / all;
-    for (a = 1; a < nodes; ++a) fit->weight[a * (a + 1) / 2] += dial * share[a] / ((double)node[a] * node[a]) / on_axis;
-}
-
-/* Hat n of a curve given by its values at offset[n], cells, linear between: its value in a cell, and the transfer of
-   all its cells on both sides. */
-static double ms_sss__hat(const ms_sss__curve *v, int n, int cell)
-{
-    double x = cell, at = v->offset[n];
-    if (x < at) return n == 0 || x <= v->offset[n - 1] ? 0 : (x - v->offset[n - 1]) / (at - v->offset[n - 1]);
-    if (x > at) return n == v->pairs || x >= v->offset[n + 1] ? 0 : (v->offset[n + 1] - x) / (v->offset[n + 1] - at);
-    return 1;
-}
-
-static double ms_sss__hat_transfer(const ms_sss_designer *d, const ms_sss__curve *v, int n, int k)
-{
-    double sum = 0;
-    int cell, last = (int)v->offset[n < v->pairs ? n + 1 : n];
-    for (cell = (int)v->offset[n - 1] + 1; cell <= last; ++cell)
-        sum += 2 * ms_sss__hat(v, n, cell) * d->cosine[k * cell & (MS_SSS__SIZE - 1)];
-    return sum;
+    while (--n > 0) fit->weight[n] *= (1 - dial) / all;
+    for (a = 1; a < fit->nodes; ++a)
+        fit->weight[ms_sss__octant(a, 0)] += dial * share[a] / ((double)node[a] * node[a]) / on_axis;
 }
 
 static void ms_sss__fit_basis(ms_sss__fit *fit, const ms_sss__curve *v)
 {
-    int n, i;
-    for (n = 0; n < fit->bins; ++n) { /* one line a node, from the bins on the axis */
-        double *basis = fit->basis + fit->line1[n] * fit->pairs, *slope = fit->slope + fit->line1[n] * fit->pairs;
-        for (i = 0; i < fit->pairs && fit->k2[n] == 0; ++i) {
-            if (v->hats) {
-                basis[i] = ms_sss__hat_transfer(fit->d, v, i + 1, fit->k1[n]);
-                continue;
-            }
-            basis[i] = 2 * ms_sss__pair_transfer(fit->d, fit->k1[n], v->offset[i + 1], &slope[i]);
-            slope[i] *= 2;
+    int node, i;
+    for (node = 0; node < fit->nodes; ++node)
+        for (i = 0; i < fit->pairs; ++i) {
+            fit->basis[node][i] = 2 *
+                ms_sss__pair_transfer(fit->d, fit->node[node], v->offset[i + 1], &fit->slope[node][i]);
+            fit->slope[node][i] *= 2;
         }
-    }
 }
 
 static double ms_sss__fit_objective(ms_sss__fit *fit, const ms_sss__curve *v)
 {
     double sum = 0;
-    int n, c, t, i, line;
-    for (c = fit->first; c < fit->end; ++c)
+    int a, b, c, t, i, n;
+    for (c = 0; c < 3; ++c)
         for (t = 0; t < fit->terms; ++t)
-            for (line = 0; line < fit->lines; ++line) {
-                const double *basis = fit->basis + line * fit->pairs, *w = v->weight[c][t];
-                double wave = w[0];
-                for (i = 0; i < fit->pairs; ++i) wave += w[i + 1] * basis[i];
-                fit->wave[(c * MS_SSS_TERMS_MAX + t) * fit->lines + line] = wave;
+            for (a = 0; a < fit->nodes; ++a) {
+                double wave = v->weight[c][t][0];
+                for (i = 0; i < fit->pairs; ++i) wave += v->weight[c][t][i + 1] * fit->basis[a][i];
+                fit->wave[c][t][a] = wave;
             }
-    for (n = 0; n < fit->bins; ++n)
-        for (c = fit->first; c < fit->end; ++c) {
-            double rest = fit->target[n][c] - v->delta[c];
-            for (t = 0; t < fit->terms; ++t) {
-                const double *wave = fit->wave + (c * MS_SSS_TERMS_MAX + t) * fit->lines;
-                rest -= v->sign[c][t] * wave[fit->line1[n]] * wave[fit->line2[n]];
+    for (a = n = 0; a < fit->nodes; ++a)
+        for (b = 0; b <= a; ++b, ++n)
+            for (c = 0; c < 3; ++c) {
+                double rest = fit->target[n][c] - v->delta[c];
+                for (t = 0; t < fit->terms; ++t) rest -= v->sign[c][t] * fit->wave[c][t][a] * fit->wave[c][t][b];
+                sum += fit->weight[n] * rest * rest;
             }
-            sum += fit->weight[n] * rest * rest;
-        }
     return sum;
 }
 
-/* Normal equations of the curve whose waves the last objective left. */
-static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v, double *H_all, double *g)
+/* The derivatives of a bin's response by the offsets, the weights of channel c and the root of delta; returns the
+   response of the terms. */
+static double ms_sss__fit_bin(ms_sss__fit *fit, const ms_sss__curve *v, int c, int a, int b, const double *sum)
 {
-    int n, c, t, i, j, moved = fit->moved;
-    double *J = fit->jacobian;
-    for (c = fit->first; c < fit->end; ++c) {
-        int own = moved + (c - fit->first) * (fit->local - moved) - moved; /* from local to global unknown */
-        double spread = v->energy[c] - v->delta[c], sum[MS_SSS_TERMS_MAX];
+    const double *basis_a = fit->basis[a], *basis_b = fit->basis[b];
+    double *J = fit->jacobian, found = 0;
+    const double spread = v->energy[c] - v->delta[c];
+    int t, i;
+    memset(J, 0, sizeof *J * (size_t)fit->local);
+    for (t = 0; t < fit->terms; ++t) {
+        const double wave_a = fit->wave[c][t][a] * v->sign[c][t], wave_b = fit->wave[c][t][b] * v->sign[c][t];
+        double *Jw = J + fit->pairs + t * (fit->pairs + 1);
+        found += wave_a * fit->wave[c][t][b];
+        Jw[0] += wave_a + wave_b;
+        for (i = 0; i < fit->pairs; ++i) {
+            Jw[i + 1] += basis_a[i] * wave_b + wave_a * basis_b[i];
+            J[i] += v->weight[c][t][i + 1] * (fit->slope[a][i] * wave_b + wave_a * fit->slope[b][i]);
+        }
+    }
+    for (t = 0; t < fit->terms; ++t) { /* all terms are scaled to keep sum_t sign_t sum_t^2 = energy - delta */
+        double *Jw = J + fit->pairs + t * (fit->pairs + 1), pull = 2 * v->sign[c][t] * sum[t] * found / spread;
+        for (i = 0; i <= fit->pairs; ++i) {
+            Jw[i] -= (i ? 2 : 1) * pull;
+            if (t == 0) Jw[i] *= 2 * sqrt(v->weight[c][0][i]); /* d w / d q */
+        }
+    }
+    if (fit->use_delta) J[fit->local - 1] = 2 * sqrt(v->delta[c]) * (1 - found / spread);
+    return found;
+}
+
+/* Normal equations of the curve whose waves the last objective left. */
+static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v, double *H, double *g)
+{
+    const double *J = fit->jacobian;
+    int a, b, c, t, i, j, n;
+    for (c = 0; c < 3; ++c) {
+        const int own = c * (fit->local - fit->pairs); /* from a weight's place in J to its unknown */
+        double sum[MS_SSS_TERMS_MAX];
         for (t = 0; t < fit->terms; ++t) sum[t] = ms_sss__term_sum(v, c, t);
-        for (n = 0; n < fit->bins; ++n) {
-            double found = 0, rest;
-            memset(J, 0, sizeof *J * (size_t)fit->local);
-            for (t = 0; t < fit->terms; ++t) {
-                const double *wave = fit->wave + (c * MS_SSS_TERMS_MAX + t) * fit->lines, *w = v->weight[c][t];
-                double *Jw = J + moved + t * (fit->pairs + 1);
-                const int l1 = fit->line1[n], l2 = fit->line2[n];
-                const double a1 = wave[l1] * v->sign[c][t], a2 = wave[l2] * v->sign[c][t];
-                const double *b1 = fit->basis + l1 * fit->pairs, *b2 = fit->basis + l2 * fit->pairs;
-                const double *s1 = fit->slope + l1 * fit->pairs, *s2 = fit->slope + l2 * fit->pairs;
-                found += a1 * wave[l2];
-                Jw[0] += a1 + a2;
-                for (i = 0; i < fit->pairs; ++i) Jw[i + 1] += b1[i] * a2 + a1 * b2[i];
-                for (i = 0; i < moved; ++i) J[i] += w[i + 1] * (s1[i] * a2 + a1 * s2[i]);
-            }
-            rest = fit->target[n][c] - v->delta[c] - found;
-            for (t = 0; t < fit->terms; ++t) { /* all terms are scaled to keep sum_t sign_t sum_t^2 = energy - delta */
-                double *Jw = J + moved + t * (fit->pairs + 1), pull = 2 * v->sign[c][t] * sum[t] * found / spread;
-                for (i = 0; i <= fit->pairs; ++i) {
-                    Jw[i] -= v->times[i] * pull;
-                    if (t == 0) Jw[i] *= 2 * sqrt(v->weight[c][0][i]); /* d w / d q */
+        for (a = n = 0; a < fit->nodes; ++a)
+            for (b = 0; b <= a; ++b, ++n) {
+                const double found = ms_sss__fit_bin(fit, v, c, a, b, sum);
+                const double rest = fit->target[n][c] - v->delta[c] - found;
+                for (i = 0; i < fit->local; ++i) {
+                    const int row = i < fit->pairs ? i : own + i;
+                    const double Ji = fit->weight[n] * J[i];
+                    double *Hi = H + row * fit->unknowns;
+                    g[row] += Ji * rest;
+                    for (j = 0; j < fit->pairs && j <= i; ++j) Hi[j] += Ji * J[j];
+                    for (; j <= i; ++j) Hi[own + j] += Ji * J[j];
                 }
             }
-            if (fit->use_delta) J[fit->local - 1] = 2 * sqrt(v->delta[c]) * (1 - found / spread);
-            for (i = 0; i < fit->local; ++i) {
-                int row = i < moved ? i : own + i;
-                double Ji = fit->weight[n] * J[i], *H = H_all + row * fit->unknowns;
-                g[row] += Ji * rest;
-                for (j = 0; j < moved && j <= i; ++j) H[j] += Ji * J[j];
-                for (; j <= i; ++j) H[own + j] += Ji * J[j];
-            }
-        }
     }
 }
 
@@ -5394,8 +5293,8 @@ static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v, double 
 static void ms_sss__fit_pack(const ms_sss__fit *fit, const ms_sss__curve *v, double *x)
 {
     int c, t, i;
-    for (i = 1; i <= fit->moved; ++i) *x++ = v->offset[i];
-    for (c = fit->first; c < fit->end; ++c) {
+    for (i = 1; i <= fit->pairs; ++i) *x++ = v->offset[i];
+    for (c = 0; c < 3; ++c) {
         for (t = 0; t < fit->terms; ++t)
             for (i = 0; i <= fit->pairs; ++i) *x++ = t == 0 ? sqrt(v->weight[c][0][i]) : v->weight[c][t][i];
         if (fit->use_delta) *x++ = sqrt(v->delta[c]);
@@ -5406,8 +5305,8 @@ static void ms_sss__fit_pack(const ms_sss__fit *fit, const ms_sss__curve *v, dou
 static void ms_sss__fit_unpack(const ms_sss__fit *fit, const double *x, ms_sss__curve *v)
 {
     int c, t, i;
-    for (i = 1; i <= fit->moved; ++i) v->offset[i] = fmax(0.05, fmin(*x++, 2 * fit->d->cells + 2));
-    for (c = fit->first; c < fit->end; ++c) {
+    for (i = 1; i <= fit->pairs; ++i) v->offset[i] = fmax(0.05, fmin(*x++, 2 * fit->d->cells + 2));
+    for (c = 0; c < 3; ++c) {
         for (t = 0; t < fit->terms; ++t)
             for (i = 0; i <= fit->pairs; ++i, ++x) v->weight[c][t][i] = t == 0 ? *x * *x : *x;
         if (fit->use_delta) v->delta[c] = fmin(*x * *x, 0.99 * v->energy[c]), ++x;
@@ -5424,70 +5323,47 @@ static double ms_sss__fit_squares(const ms_sss__squares *p, double *x, double *H
     }
     ms_sss__fit_unpack(fit, x, &fit->trial);
     ms_sss__fit_pack(fit, &fit->trial, x);
-    if (fit->moved) ms_sss__fit_basis(fit, &fit->trial);
+    ms_sss__fit_basis(fit, &fit->trial);
     return ms_sss__fit_objective(fit, &fit->trial);
 }
 
 /* Improves v in place; returns the objective. */
 static double ms_sss__fit_run(ms_sss__fit *fit, ms_sss__curve *v, int rounds)
 {
-    ms_sss__squares problem;
+    const ms_sss__squares problem = {ms_sss__fit_squares, fit->d, fit->unknowns, 0, NULL, 0, fit};
     double value;
     int c, i;
-    memset(&problem, 0, sizeof problem);
-    problem.evaluate = ms_sss__fit_squares;
-    problem.n = fit->unknowns;
-    problem.fit = fit;
-    for (c = fit->first; c < fit->end; ++c) /* q = 0 would never move */
+    for (c = 0; c < 3; ++c) /* q = 0 would never move */
         for (i = 0; i <= v->pairs; ++i) v->weight[c][0][i] = fmax(v->weight[c][0][i], 1e-6);
     fit->trial = *v;
-    if (!fit->moved) ms_sss__fit_basis(fit, v);
     ms_sss__fit_pack(fit, v, fit->x);
     value = ms_sss__descend(&problem, fit->x, rounds, 1e-6, fit->scratch);
     ms_sss__fit_unpack(fit, fit->x, v);
     return value;
 }
 
-static void ms_sss__fit_destroy(ms_sss__fit *fit)
-{
-    if (fit != NULL) ms__release(&fit->d->allocator, fit, fit->bytes);
-}
+static void ms_sss__fit_destroy(ms_sss__fit *fit) { ms__release(&fit->d->allocator, fit, fit->bytes); }
 
-/* channel: the one whose weights are fitted, offsets fixed; -1: all three, and the offsets they share. NULL: no
-   memory. */
+/* For curves of v's pairs and terms. NULL: no memory. */
 static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__curve *model, double dial,
-                                       const ms_sss__curve *v, int channel, int use_delta, int coarse)
+                                       const ms_sss__curve *v, int use_delta, int coarse)
 {
-    const int moved = channel < 0 ? v->pairs : 0, channels = channel < 0 ? 3 : 1;
-    const int local = moved + v->terms * (v->pairs + 1) + use_delta, unknowns = moved + channels * (local - moved);
-    double share[MS_SSS__NODES_MAX];
-    int node[MS_SSS__NODES_MAX], lines = ms_sss__nodes(d->cells, coarse, node, share);
-    size_t header = (sizeof(ms_sss__fit) + 63) / 64 * 64;
-    size_t doubles = (size_t)((2 * v->pairs + 3 * MS_SSS_TERMS_MAX) * lines + local + unknowns +
-                              MS_SSS__DESCEND_SCRATCH(unknowns));
-    size_t bytes = header + doubles * sizeof(double);
+    const int own = v->terms * (v->pairs + 1) + use_delta, unknowns = v->pairs + 3 * own;
+    const size_t doubles = (size_t)(unknowns + MS_SSS__DESCEND_SCRATCH(unknowns));
+    const size_t bytes = sizeof(ms_sss__fit) + doubles * sizeof(double);
     ms_sss__fit *fit = (ms_sss__fit *)ms__alloc(&d->allocator, bytes);
-    double *at;
     if (fit == NULL) return NULL;
     memset(fit, 0, bytes);
     fit->d = d;
     fit->bytes = bytes;
     fit->pairs = v->pairs;
     fit->terms = v->terms;
-    fit->first = channel < 0 ? 0 : channel;
-    fit->end = fit->first + channels;
-    fit->moved = moved;
     fit->use_delta = use_delta;
     fit->unknowns = unknowns;
-    fit->local = local;
+    fit->local = v->pairs + own;
+    fit->x = (double *)(void *)(fit + 1);
+    fit->scratch = fit->x + unknowns;
     ms_sss__fit_bins(fit, model, dial, coarse);
-    at = (double *)(void *)((unsigned char *)fit + header);
-    fit->basis = at;
-    fit->slope = at += lines * v->pairs;
-    fit->wave = at += lines * v->pairs;
-    fit->jacobian = at += 3 * MS_SSS_TERMS_MAX * lines;
-    fit->x = at += local;
-    fit->scratch = at + unknowns;
     return fit;
 }
 
@@ -5505,7 +5381,6 @@ static void ms_sss__place(const ms_sss_designer *d, const ms_sss__curve *dense, 
     memset(v, 0, sizeof *v);
     v->pairs = pairs;
     v->terms = dense->terms;
-    for (n = 0; n <= pairs; ++n) v->times[n] = n ? 2 : 1;
     memcpy(v->sign, dense->sign, sizeof v->sign);
     memcpy(v->delta, dense->delta, sizeof v->delta);
     memcpy(v->energy, dense->energy, sizeof v->energy);
@@ -5644,7 +5519,7 @@ static double ms_sss__mixture_squares(const ms_sss__squares *p, double *x, doubl
 {
     double wave[MS_SSS_TERMS_MAX][MS_SSS__NODES_MAX], slope[MS_SSS_TERMS_MAX][MS_SSS__NODES_MAX],
         share[MS_SSS__NODES_MAX];
-    double cell[MS_SSS__CELLS_MAX + 1], growth[MS_SSS__CELLS_MAX + 1], J[2 * MS_SSS_TERMS_MAX], sum = 0, value = 0;
+    double cell[MS_SSS__ROW_MAX], growth[MS_SSS__ROW_MAX], J[2 * MS_SSS_TERMS_MAX], sum = 0, value = 0;
     int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(p->d->cells, 0, node, share), N = p->n / 2, n, a, b, i, j;
     for (n = 0; n < N; ++n) sum += x[n] * x[n];
     for (n = 0; n < N; ++n) { /* spectra and their derivatives by log sigma */
@@ -5687,11 +5562,8 @@ static void ms_sss__fit_mixture(const ms_sss_designer *d, int c, int count, doub
 {
     static const double spread[] = {20, 90};
     double x[2 * MS_SSS_TERMS_MAX], scratch[MS_SSS__DESCEND_SCRATCH(2 * MS_SSS_TERMS_MAX)], least = HUGE_VAL, value;
-    ms_sss__squares problem = {ms_sss__mixture_squares, NULL, 0, 0, NULL, 0, NULL};
+    const ms_sss__squares problem = {ms_sss__mixture_squares, d, 2 * count, c, NULL, 0, NULL};
     int k, n;
-    problem.d = d;
-    problem.channel = c;
-    problem.n = 2 * count;
     for (k = 0; k < 2; ++k) {
         const double narrowest = d->width[c] / spread[k] + 0.1, widest = d->width[c] / 2 + 0.2;
         for (n = 0; n < count; ++n) {
@@ -5711,7 +5583,7 @@ static void ms_sss__fit_mixture(const ms_sss_designer *d, int c, int count, doub
 /* The two-Gaussian model against a_p (5.6): x is log sigma of both, cells, and the share of the first. */
 static double ms_sss__artist_squares(const ms_sss__squares *p, double *x, double *H, double *g)
 {
-    double cell[2][MS_SSS__CELLS_MAX + 1], growth[2][MS_SSS__CELLS_MAX + 1], J[3], value = 0;
+    double cell[2][MS_SSS__ROW_MAX], growth[2][MS_SSS__ROW_MAX], J[3], value = 0;
     int i, a, b;
     for (a = 0; a < 2; ++a) {
         x[a] = ms_sss__log_sigma(x[a]);
@@ -5736,10 +5608,8 @@ static double ms_sss__artist_squares(const ms_sss__squares *p, double *x, double
 static void ms_sss__fit_near_far(const ms_sss_designer *d, int c, const double *ap, double out[3])
 {
     double x[3] = {0, 0, 0.5}, scratch[MS_SSS__DESCEND_SCRATCH(3)];
-    ms_sss__squares problem = {ms_sss__artist_squares, NULL, 3, 0, NULL, 0, NULL};
+    const ms_sss__squares problem = {ms_sss__artist_squares, d, 3, 0, ap, 0, NULL};
     int far_first;
-    problem.d = d;
-    problem.curve = ap;
     x[0] = log(d->width[c] / 20 + 0.2);
     x[1] = log(d->width[c] / 3 + 0.4);
     ms_sss__descend(&problem, x, 100, 1e-12, scratch);
@@ -5777,13 +5647,10 @@ static ms_status ms_sss__guided(const ms_sss_designer *d, int c, double guide, d
 {
     const int M = d->cells;
     const size_t bytes = (size_t)MS_SSS__DESCEND_SCRATCH(M) * sizeof(double);
-    ms_sss__squares problem = {ms_sss__guided_squares, NULL, 0, 0, NULL, 0, NULL};
+    const ms_sss__squares problem = {ms_sss__guided_squares, d, M, 0, d->cell[c], guide, NULL};
     double *scratch = (double *)ms__alloc(&d->allocator, bytes), sum = 0;
     int i;
     if (scratch == NULL) return MS_OUT_OF_MEMORY;
-    problem.n = M;
-    problem.curve = d->cell[c];
-    problem.guide = guide;
     ms_sss__row_sums(d, c, a);
     ms_sss__descend(&problem, a + 1, 60, 1e-10, scratch);
     ms__release(&d->allocator, scratch, bytes);
@@ -5799,16 +5666,13 @@ static ms_status ms_sss__guided(const ms_sss_designer *d, int c, double guide, d
 /* All models but the fits of taps, as weights of all cells. */
 static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kernel_options *o, ms_sss__curve *v)
 {
-    double slope[MS_SSS__CELLS_MAX + 1], sum;
+    double slope[MS_SSS__ROW_MAX], sum;
     ms_status status = MS_OK;
     int c, t, i, M = d->cells;
     memset(v, 0, sizeof *v);
     v->pairs = M;
     v->terms = 1;
-    for (i = 0; i <= M; ++i) {
-        v->offset[i] = i;
-        v->times[i] = i ? 2 : 1;
-    }
+    for (i = 0; i <= M; ++i) v->offset[i] = i;
     if (o->model == MS_SSS_SVD || o->model == MS_SSS_SVD_NORMALIZED || o->model == MS_SSS_GAUSSIANS ||
         o->model == MS_SSS_RESIDUAL)
         v->terms = o->term_count;
@@ -5839,10 +5703,8 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
         } else if (o->model == MS_SSS_GUIDED) {
             status = ms_sss__guided(d, c, o->guide_k, w);
         } else if (o->model == MS_SSS_ARTIST) {
-            const ms_sss_artist *a = &o->artist;
-            double fit[3] = {a->sigma_near_mm[c] / d->cell_mm, a->sigma_far_mm[c] / d->cell_mm, a->near_weight[c]};
-            double far_cells[MS_SSS__CELLS_MAX + 1];
-            if (fit[0] == 0) ms_sss__fit_near_far(d, c, w, fit);
+            double fit[3], far_cells[MS_SSS__ROW_MAX];
+            ms_sss__fit_near_far(d, c, w, fit);
             ms_sss__gaussian_cells(fit[0], M, w, slope);
             ms_sss__gaussian_cells(fit[1], M, far_cells, slope);
             for (i = 0; i <= M; ++i) w[i] = fit[2] * w[i] + (1 - fit[2]) * far_cells[i];
@@ -5852,41 +5714,6 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
     }
     if (status == MS_OK) ms_sss__curve_normalize(v);
     return status;
-}
-
-/* The image-optimal kernel with a weight for every cell; v holds a_p. The curve is given by its values at every cell
-   near the center and at growing distances farther out, linear between: all cells on their own would fit what lies
-   between the bins. */
-static ms_status ms_sss__dense_optimum(const ms_sss_designer *d, double dial, int no_delta, ms_sss__curve *hats,
-                                       ms_sss__curve *v)
-{
-    ms_sss__fit *fit;
-    int c, n, cell;
-    if (dial == 1) return MS_OK;
-    *hats = *v;
-    hats->hats = 1;
-    for (n = 0, cell = 0; cell < d->cells; cell += cell < 6 ? 1 : 1 + (cell - 2) / 4) hats->offset[n++] = cell;
-    hats->offset[hats->pairs = n] = d->cells;
-    for (n = 0; n <= hats->pairs; ++n) {
-        hats->times[n] = 0;
-        for (cell = 0; cell <= d->cells; ++cell) hats->times[n] += (cell ? 2 : 1) * ms_sss__hat(hats, n, cell);
-        for (c = 0; c < 3; ++c) hats->weight[c][0][n] = v->weight[c][0][(int)hats->offset[n]];
-    }
-    for (c = 0; c < 3 && !no_delta; ++c) hats->delta[c] = 0.01;
-    ms_sss__curve_normalize(hats);
-    for (c = 0; c < 3; ++c) { /* with fixed offsets the channels are independent */
-        fit = ms_sss__fit_create(d, NULL, dial, hats, c, !no_delta, 0);
-        if (fit == NULL) return MS_OUT_OF_MEMORY;
-        ms_sss__fit_run(fit, hats, 60);
-        ms_sss__fit_destroy(fit);
-        v->delta[c] = hats->delta[c];
-        for (cell = 0; cell <= d->cells; ++cell) {
-            v->weight[c][0][cell] = 0;
-            for (n = 0; n <= hats->pairs; ++n)
-                v->weight[c][0][cell] += ms_sss__hat(hats, n, cell) * hats->weight[c][0][n];
-        }
-    }
-    return MS_OK;
 }
 
 /* Moves offsets of best over the kinks that linear interpolation has at whole pixels, where descent gets stuck, as long
@@ -5925,7 +5752,7 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
     double least = HUGE_VAL, objective;
     int n, c;
     ms_sss__place(d, dense, MS_SSS_QUANTILE, 0, pairs, best);
-    fit = ms_sss__fit_create(d, model, dial, best, -1, !no_delta, 1);
+    fit = ms_sss__fit_create(d, model, dial, best, !no_delta, 1);
     if (fit == NULL) return MS_OUT_OF_MEMORY;
     v = &fit->hop;
     for (n = 0; n < 5; ++n) {
@@ -5940,7 +5767,7 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
     }
     ms_sss__fit_past_kinks(fit, 2, best);
     ms_sss__fit_destroy(fit);
-    fit = ms_sss__fit_create(d, model, dial, best, -1, !no_delta, 0);
+    fit = ms_sss__fit_create(d, model, dial, best, !no_delta, 0);
     if (fit == NULL) return MS_OUT_OF_MEMORY;
     ms_sss__fit_past_kinks(fit, dense->terms > 1 || pairs <= 8,
                            best); /* worth its time where a tap or an error counts */
@@ -5967,7 +5794,7 @@ static void ms_sss__place_quadratic(const ms_sss_designer *d, const ms_sss__curv
 static MS_SSS__COLD void ms_sss__store_kernel(const ms_sss_designer *d, const ms_sss__curve *v, double index,
                                               ms_sss_kernel *kernel)
 {
-    int order[MS_SSS__CELLS_MAX + 1], n, i, t, c, side;
+    int order[MS_SSS__ROW_MAX], n, i, t, c;
     memset(kernel, 0, sizeof *kernel);
     for (n = 0; n <= v->pairs; ++n) { /* by growing offset */
         for (i = n; i > 1 && v->offset[order[i - 1]] > v->offset[n]; --i) order[i] = order[i - 1];
@@ -5975,25 +5802,22 @@ static MS_SSS__COLD void ms_sss__store_kernel(const ms_sss_designer *d, const ms
     }
     kernel->tap_count = 2 * v->pairs + 1;
     kernel->term_count = v->terms;
-    for (n = 0; n <= v->pairs; ++n)
-        for (side = n ? 0 : 1; side < 2; ++side) {
-            int tap = n ? 2 * n - 1 + side : 0;
-            kernel->offset_mm[tap] = (float)((side ? 1 : -1) * v->offset[order[n]] * d->cell_mm);
-            for (t = 0; t < v->terms; ++t)
-                for (c = 0; c < 3; ++c) kernel->weight[t][tap][c] = (float)v->weight[c][t][order[n]];
-        }
+    for (n = 0; n <= v->pairs; ++n) {
+        kernel->offset_mm[n] = (float)(v->offset[order[n]] * d->cell_mm);
+        for (t = 0; t < v->terms; ++t)
+            for (c = 0; c < 3; ++c) kernel->weight[t][n][c] = (float)v->weight[c][t][order[n]];
+    }
     for (c = 0; c < 3; ++c) {
         double both = 0; /* mean of |x| + |y| */
         for (t = 0; t < v->terms; ++t) {
             double one = 0;
-            for (i = 1; i <= v->pairs; ++i) one += v->times[i] * v->weight[c][t][i] * fabs(v->offset[i]) * d->cell_mm;
+            for (i = 1; i <= v->pairs; ++i) one += 2 * v->weight[c][t][i] * v->offset[i] * d->cell_mm;
             both += 2 * v->sign[c][t] * ms_sss__term_sum(v, c, t) * one / v->energy[c];
             kernel->scale[t][c] = (float)v->sign[c][t];
         }
         kernel->delta[c] = (float)v->delta[c];
         kernel->reflectance[c] = (float)d->reflectance[c];
-        kernel->decay[c] = (float)ms_sss__decay_of(d->reflectance[c] < 0.9999 ? d->reflectance[c] : 0.9999,
-                                                   d->mean_mm[c]);
+        kernel->decay[c] = (float)ms_sss__decay_of(d->reflectance[c], d->mean_mm[c]);
         kernel->elevation[c] = (float)ms_sss_elevation(d->reflectance[c], index);
         if (!(both > 0.2 * d->mean_mm[c])) /* terms of both signs leave no mean: pi/4, what an exact separable kernel
                                               would have */
@@ -6010,7 +5834,6 @@ static MS_SSS__COLD ms_status ms_sss__check_kernel_options(const ms_sss_kernel_o
 {
     const int dense = o->tap_count == MS_SSS_DENSE, most = o->placement == MS_SSS_OPTIMIZED ? 33 : MS_SSS_TAPS_MAX;
     ms_status status;
-    int c;
     {
         const ms_sss__range ranges[] = {{"model", (double)o->model, 0, (double)MS_SSS_SLICE},
                                         {"placement", (double)o->placement, 0, (double)MS_SSS_QUADRATIC},
@@ -6020,19 +5843,10 @@ static MS_SSS__COLD ms_status ms_sss__check_kernel_options(const ms_sss_kernel_o
                                         {"index", o->index, 1, 2}};
         if ((status = ms_sss__check_ranges(ranges, sizeof ranges / sizeof ranges[0], error)) != MS_OK) return status;
     }
+    if (dense && o->model == MS_SSS_IMAGE_OPTIMAL)
+        return MS_SSS__REFUSE(error, "tap_count is MS_SSS_DENSE; 3 to 33 expected for an image-optimal kernel");
     if (!dense && (o->tap_count < 3 || o->tap_count > most || o->tap_count % 2 == 0))
         return MS_SSS__REFUSE(error, "tap_count is %d; odd, 3 to %d, or MS_SSS_DENSE expected", o->tap_count, most);
-    for (c = 0; c < 3; ++c) {
-        const ms_sss_artist *a = &o->artist;
-        int fitted = a->sigma_near_mm[c] == 0 && a->sigma_far_mm[c] == 0 && a->near_weight[c] == 0;
-        if (!fitted &&
-            !(a->sigma_near_mm[c] > 0 && a->sigma_near_mm[c] <= 1e6 && a->sigma_far_mm[c] > 0 &&
-              a->sigma_far_mm[c] <= 1e6 && a->near_weight[c] >= 0 && a->near_weight[c] <= 1))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)c,
-                            "artist, channel %d: sigma_near_mm %g, sigma_far_mm %g, near_weight %g; "
-                            "sigmas above 0, at most 1e6, a weight of 0 to 1, or all 0 expected",
-                            c, a->sigma_near_mm[c], a->sigma_far_mm[c], a->near_weight[c]);
-    }
     return MS_OK;
 }
 
@@ -6065,7 +5879,6 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const m
     pairs = o.tap_count / 2;
     if (status == MS_OK && o.tap_count == MS_SSS_DENSE) {
         *taps = *dense;
-        if (o.model == MS_SSS_IMAGE_OPTIMAL) status = ms_sss__dense_optimum(d, o.dial, o.no_delta, scratch, taps);
     } else if (status == MS_OK && o.placement == MS_SSS_OPTIMIZED) {
         /* the target: the profile for models that approximate it best, else the model's own dense kernel */
         of_profile = o.model == MS_SSS_IMAGE_OPTIMAL || o.model == MS_SSS_RESIDUAL;
@@ -6092,7 +5905,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const m
 
 MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *d, ms_sss_artist *artist)
 {
-    double ap[MS_SSS__CELLS_MAX + 1];
+    double ap[MS_SSS__ROW_MAX];
     int c;
     if (d == NULL || artist == NULL) return MS_INVALID_ARGUMENT;
     for (c = 0; c < 3; ++c) {
@@ -6112,61 +5925,46 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_e
                                                  ms_error *error)
 {
     ms_sss_designer *designer;
-    ms_sss__measurement *m = NULL;
     ms_status status = ms_sss_designer_create(&designer, profile, radius_px, allocator, error);
     if (status != MS_OK) return status;
-    if (errors != NULL && (m = (ms_sss__measurement *)ms__alloc(&designer->allocator, sizeof *m)) == NULL)
-        status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to measure a kernel");
-    if (status == MS_OK) status = ms_sss_kernel_build(kernel, designer, options, error);
-    if (status == MS_OK && m != NULL) ms_sss__measure(errors, kernel, designer, m);
-    if (m != NULL) ms__release(&designer->allocator, m, sizeof *m);
+    status = ms_sss_kernel_build(kernel, designer, options, error);
+    if (status == MS_OK && errors && (status = ms_sss_kernel_measure(errors, kernel, designer)) != MS_OK)
+        ms__fail(error, status, 0, "no memory to measure the kernel");
     ms_sss_designer_destroy(designer);
     return status;
 }
 
 /* ---- pyramid weights --------------------------------------------------------------------------------------------- */
 
-/* Minimizes x'A x / 2 - b'x for x >= 0, n <= 24, rows of A stride apart: active sets (Lawson and Hanson 1974, Solving
-   Least Squares Problems, chapter 23). */
+/* Minimizes x'A x / 2 - b'x for x >= 0, n <= 24, rows of A stride apart: solves for the variables in use, of which
+   those at or below 0 leave; once all are positive, the one that the residual pulls most enters. */
 static void ms_sss__fit_positive(const double *A, int stride, const double *b, int n, double *x)
 {
     double part[24 * 24], step[24];
-    int in[24], used[24], i, j, round, m, enter;
+    int in[24], used[24], i, j, m, round, enter = 0;
     for (i = 0; i < n; ++i) x[i] = used[i] = 0;
-    for (round = 0; round < 4 * n; ++round) {
-        double best = 1e-9;
-        enter = -1;
-        for (i = 0; i < n; ++i) { /* the variable that the residual pulls most */
-            double w = b[i];
-            for (j = 0; j < n; ++j) w -= A[i * stride + j] * x[j];
-            if (!used[i] && w > best) {
-                best = w;
-                enter = i;
-            }
+    for (round = 0; round < 8 * n && enter >= 0; ++round) {
+        double most = 1e-9;
+        int positive = 1;
+        for (m = 0, i = 0; i < n; ++i)
+            if (used[i]) in[m++] = i;
+        for (i = 0; i < m; ++i) {
+            for (j = 0; j < m; ++j) part[i * m + j] = A[in[i] * stride + in[j]] * (i == j ? 1 + 1e-12 : 1);
+            step[i] = b[in[i]];
         }
-        if (enter < 0) return;
-        used[enter] = 1;
-        for (;;) {
-            double t = 1;
-            int leave = -1;
-            for (m = 0, i = 0; i < n; ++i)
-                if (used[i]) in[m++] = i;
-            for (i = 0; i < m; ++i) {
-                for (j = 0; j < m; ++j) part[i * m + j] = A[in[i] * stride + in[j]] * (i == j ? 1 + 1e-12 : 1);
-                step[i] = b[in[i]];
-            }
-            if (m == 0 || !ms_sss__cholesky_solve(part, step, m)) return;
-            for (i = 0; i < m; ++i) {
-                if (step[i] > 0) continue;
-                if (x[in[i]] / (x[in[i]] - step[i]) <= t) {
-                    t = x[in[i]] / (x[in[i]] - step[i]);
-                    leave = in[i];
-                }
-            }
-            for (i = 0; i < m; ++i) x[in[i]] += t * (step[i] - x[in[i]]);
-            if (leave < 0) break;
-            x[leave] = used[leave] = 0;
+        if (!ms_sss__cholesky_solve(part, step, m)) return;
+        for (i = 0; i < m; ++i)
+            if (!(step[i] > 0)) positive = used[in[i]] = 0;
+        if (!positive) continue;
+        for (i = 0, j = 0; i < n; ++i) x[i] = used[i] ? step[j++] : 0;
+        for (enter = -1, i = 0; i < n; ++i) {
+            double pull = b[i];
+            for (j = 0; j < n; ++j) pull -= A[i * stride + j] * x[j];
+            if (used[i] || pull <= most) continue;
+            most = pull;
+            enter = i;
         }
+        if (enter >= 0) used[enter] = 1;
     }
 }
 
@@ -6282,14 +6080,6 @@ MS_SSS__COLD MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const
         }
     }
     return MS_OK;
-}
-MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness_mm, double out[3])
-{
-    double total[3], decay[3];
-    int c;
-    if (profile == NULL || out == NULL) return;
-    ms_sss__decay(profile, total, decay);
-    for (c = 0; c < 3; ++c) out[c] = ms_sss__slab(total[c], decay[c], thickness_mm);
 }
 
 #undef MS_SSS__PI

@@ -27,6 +27,7 @@ static void make_kernels(void)
         if (i == 5) o.model = MS_SSS_GAUSSIANS, o.term_count = 3;
         if (i == 6) o.model = MS_SSS_GUIDED;
         if (i == 7) o.model = MS_SSS_ARTIST;
+        if (i == 10) o.model = MS_SSS_PREINTEGRATED;
         if (i == 9) o.model = MS_SSS_SLICE, o.placement = MS_SSS_QUADRATIC;
         ms_sss_profile_destroy(profile);
         CHECK_INT(ms_sss_profile_from_burley(&profile, i % 2 ? other : reflectance, d_mm, NULL, NULL), MS_OK);

@@ -9,10 +9,9 @@
 enum { W = 96, H = 64 };
 
 /* Three taps by hand: half of the light stays, a quarter goes to either side, 6 mm away. */
-static const ms_sss_kernel shipped = {
-    3,           1,         {0, -6, 6}, {{{0.5f, 0.5f, 0.5f}, {0.25f, 0.25f, 0.25f}, {0.25f, 0.25f, 0.25f}}},
-    {{1, 1, 1}}, {0, 0, 0}, 8,          {0.5f, 0.5f, 0.5f},
-    8,           {0, 0, 0}, {0, 0, 0},  {0, 0, 0}};
+static const ms_sss_kernel shipped = {3,           1,         {0, 6},    {{{0.5f, 0.5f, 0.5f}, {0.25f, 0.25f, 0.25f}}},
+                                      {{1, 1, 1}}, {0, 0, 0}, 8,         {0.5f, 0.5f, 0.5f},
+                                      8,           {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
 
 static float light[3 * W * H], result[3 * W * H], depth[W * H], stored[W * H];
 

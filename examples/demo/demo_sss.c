@@ -491,7 +491,7 @@ static const struct {
               {"pre-integrated", MS_SSS_PREINTEGRATED, 1, MS_SSS_DENSE, 0},
               {"pre-integrated, 7 taps", MS_SSS_PREINTEGRATED, 1, 7, 0},
               {"pre-integrated + 1 residual", MS_SSS_RESIDUAL, 2, MS_SSS_DENSE, 0},
-              {"image-optimal", MS_SSS_IMAGE_OPTIMAL, 1, MS_SSS_DENSE, 0},
+              {"image-optimal, 33 taps", MS_SSS_IMAGE_OPTIMAL, 1, 33, 0},
               {"image-optimal, 7 taps", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0}};
 
 enum { MODELS = sizeof models / sizeof models[0] };

@@ -24,21 +24,18 @@ static inline ms_status disc_kernel(ms_sss_kernel *kernel, const ms_sss_profile 
         kernel->delta[c] = 0;
         inner[c] = 0;
     }
-    for (i = 0; i <= samples; i += i ? 2 : 1) { /* the pixel, then rings of samples i and i + 1 */
-        const double part = i ? 2 : 1, end = i + part > samples ? 1 : (i + part) / (samples + 1);
+    for (i = 0; i <= samples / 2; ++i) { /* the pixel, then rings of two samples */
+        const double part = i ? 2 : 1, before = i ? 2 * i - 1 : 0,
+                     end = i < samples / 2 ? (before + part) / (samples + 1) : 1;
         ms_sss_profile_radius(profile, 0.998 * end, radius);
         ms_sss_profile_disc(profile, end < 1 ? radius[widest] : 1e9, outer);
-        ms_sss_profile_radius(profile, 0.998 * (i + part / 2) / (samples + 1), radius);
+        ms_sss_profile_radius(profile, 0.998 * (before + part / 2) / (samples + 1), radius);
         for (c = 0; c < 3; ++c) {
-            const float weight = (float)(total[c] > 0 ? (outer[c] - inner[c]) / total[c] / part : i == 0);
-            kernel->weight[0][i][c] = weight;
-            if (i) kernel->weight[0][i + 1][c] = weight;
+            kernel->weight[0][i][c] = (float)(total[c] > 0 ? (outer[c] - inner[c]) / total[c] / part : i == 0);
             inner[c] = outer[c];
         }
-        if (i) kernel->offset_mm[i] = (float)-radius[widest];
-        if (i) kernel->offset_mm[i + 1] = (float)radius[widest];
+        kernel->offset_mm[i] = i ? (float)radius[widest] : 0;
     }
-    kernel->offset_mm[0] = 0;
     return MS_OK;
 }
 

@@ -139,9 +139,11 @@ static void print_kernel(const ms_sss_kernel *k, const ms_sss_errors *e)
         printf("const vec3 scale%d = vec3(%g, %g, %g);\n", t, (double)k->scale[t][0], (double)k->scale[t][1],
                (double)k->scale[t][2]);
         printf("const vec4 term%d[%d] = vec4[%d](\n", t, k->tap_count, k->tap_count);
-        for (i = 0; i < k->tap_count; ++i)
-            printf("    vec4(%.7g, %.7g, %.7g, %.7g)%s\n", (double)k->weight[t][i][0], (double)k->weight[t][i][1],
-                   (double)k->weight[t][i][2], (double)k->offset_mm[i], i + 1 < k->tap_count ? "," : ");");
+        for (i = 0; i < k->tap_count; ++i) { /* the center, then each pair at -offset and +offset */
+            const float *weight = k->weight[t][(i + 1) / 2];
+            printf("    vec4(%.7g, %.7g, %.7g, %.7g)%s\n", (double)weight[0], (double)weight[1], (double)weight[2],
+                   (i % 2 ? -1 : 1) * (double)k->offset_mm[(i + 1) / 2], i + 1 < k->tap_count ? "," : ");");
+        }
     }
 }
 

@@ -155,13 +155,16 @@ CALL(void, edge, (int count, double first_mm, double step_mm))
     }
 }
 
+/* The center, then each pair at -offset and +offset. */
+static float tap_mm(int i) { return (i % 2 ? -1.0f : 1.0f) * kernel.offset_mm[(i + 1) / 2]; }
+
 /* Taps into numbers from 64 on: [taps] of weights and offset. */
 CALL(int, taps, (void))
 {
     int i, c;
     for (i = 0; i < kernel.tap_count && i < 2 * CURVE; ++i) {
-        for (c = 0; c < 3; ++c) number[64 + 4 * i + c] = (double)kernel.weight[0][i][c];
-        number[67 + 4 * i] = (double)kernel.offset_mm[i];
+        for (c = 0; c < 3; ++c) number[64 + 4 * i + c] = (double)kernel.weight[0][(i + 1) / 2][c];
+        number[67 + 4 * i] = (double)tap_mm(i);
     }
     return kernel.tap_count;
 }
@@ -233,10 +236,10 @@ CALL(int, code, (int kind))
     for (i = 0; i < kernel.tap_count; ++i) {
         n += (size_t)snprintf(text + n, sizeof text - n, "%s\n    %s", i ? "," : "", open[kind]);
         for (c = 0; c < 4; ++c)
-            n += (size_t)snprintf(
-                text + n, sizeof text - n, kind == 0 ? "%s%.7ff" : "%s%.7f", c ? ", " : "",
-                (double)(c < 3 ? kernel.weight[0][i][c] * (kernel.scale[0][c] > 0 ? sqrtf(kernel.scale[0][c]) : 1)
-                               : kernel.offset_mm[i]));
+            n += (size_t)snprintf(text + n, sizeof text - n, kind == 0 ? "%s%.7ff" : "%s%.7f", c ? ", " : "",
+                                  (double)(c < 3 ? kernel.weight[0][(i + 1) / 2][c] *
+                                                   (kernel.scale[0][c] > 0 ? sqrtf(kernel.scale[0][c]) : 1)
+                                                 : tap_mm(i)));
         n += (size_t)snprintf(text + n, sizeof text - n, "%s", close[kind]);
     }
     n += (size_t)snprintf(text + n, sizeof text - n, "%s", end[kind]);

@@ -18,6 +18,9 @@ static ms_sss_pyramid pyramid;
 
 /* --- what it is compared with --- */
 
+/* Of tap i: the center, then each pair at -offset and +offset. */
+static float tap_mm(const ms_sss_kernel *k, int i) { return (i % 2 ? -1.0f : 1.0f) * k->offset_mm[(i + 1) / 2]; }
+
 static void pass(float *const *from, float *const *to, int dx, int dy, int nearest)
 {
     const float size = (float)H / (2 * tanf(17.5f * 3.14159265f / 180)),
@@ -29,7 +32,7 @@ static void pass(float *const *from, float *const *to, int dx, int dy, int neare
             const float z = depth[y * W + x], pixels = size / z;
             float sum[3] = {0, 0, 0}, norm[3] = {0, 0, 0};
             for (i = 0; i < kernel.tap_count; ++i) {
-                const float t = kernel.offset_mm[i] * pixels;
+                const float t = tap_mm(&kernel, i) * pixels;
                 const int whole_part = (int)floorf(nearest ? t + 0.5f : t);
                 for (h = 0; h < (nearest ? 1 : 2); ++h) {
                     const int px = x + dx * (whole_part + h), py = y + dy * (whole_part + h);
@@ -41,8 +44,8 @@ static void pass(float *const *from, float *const *to, int dx, int dy, int neare
                     f = 1 - dz * dz / (end * end);
                     f = share * f * f * f * f;
                     for (c = 0; c < 3; ++c) {
-                        sum[c] += kernel.weight[0][i][c] * f * from[c][py * W + px];
-                        norm[c] += kernel.weight[0][i][c] * f;
+                        sum[c] += kernel.weight[0][(i + 1) / 2][c] * f * from[c][py * W + px];
+                        norm[c] += kernel.weight[0][(i + 1) / 2][c] * f;
                     }
                 }
             }
@@ -82,7 +85,7 @@ packed_pass(const float *from, float *to, int dx, int dy)
             const float pixels = size / own[3];
             float sum[4] = {0, 0, 0, 0}, norm[4] = {0, 0, 0, 0};
             for (i = 0; i < kernel.tap_count; ++i) {
-                const float t = kernel.offset_mm[i] * pixels, whole_part = floorf(t), r = t - whole_part;
+                const float t = tap_mm(&kernel, i) * pixels, whole_part = floorf(t), r = t - whole_part;
                 const int p = (int)whole_part, limit = dx ? W - 1 : H - 1, at = dx ? x : y;
                 const int a = at + p < 0 ? 0
                     : at + p > limit     ? limit
@@ -96,7 +99,7 @@ packed_pass(const float *from, float *to, int dx, int dy)
                 for (c = 0; c < 4; ++c) mix[c] = u[c] + r * (v[c] - u[c]);
                 f = expf((mix[3] - own[3]) * (mix[3] - own[3]) * k);
                 for (c = 0; c < 4; ++c) {
-                    const float w = kernel.weight[0][i][c < 3 ? c : 0] * f;
+                    const float w = kernel.weight[0][(i + 1) / 2][c < 3 ? c : 0] * f;
                     sum[c] += w * mix[c];
                     norm[c] += w;
                 }
@@ -139,10 +142,10 @@ static void opencv(double ms[2], double *difference)
     for (c = 0; c < 3; ++c) {
         double sum = 0;
         taps[c] = rows[c];
-        for (i = 0; i < whole.tap_count; ++i) sum += (double)whole.weight[0][i][c];
+        for (i = 0; i < whole.tap_count; ++i) sum += (double)whole.weight[0][(i + 1) / 2][c];
         for (i = 0; i < whole.tap_count; ++i)
-            rows[c][24 + (int)floorf(whole.offset_mm[i] * 24 / whole.radius_mm + 0.5f)] += whole.weight[0][i][c] /
-                (float)sum;
+            rows[c][24 + (int)floorf(tap_mm(&whole, i) * 24 / whole.radius_mm + 0.5f)] +=
+                whole.weight[0][(i + 1) / 2][c] / (float)sum;
     }
     for (i = 0; i < RUNS; ++i) {
         t[0][i] = bench_cpu();
@@ -303,7 +306,7 @@ static void make_inputs(void)
     }
     ms_sss_profile_destroy(profile);
     whole = kernel;
-    for (i = 0; i < kernel.tap_count; ++i)
+    for (i = 0; i <= kernel.tap_count / 2; ++i)
         whole.offset_mm[i] = floorf(kernel.offset_mm[i] * 24 / kernel.radius_mm + 0.5f) * kernel.radius_mm / 24;
     for (c = 0; c < 3; ++c) {
         in[c] = (float *)malloc((size_t)N * sizeof(float));

@@ -266,7 +266,7 @@ static run prepare(const picture *p, int *count)
     const float size = (float)p->height / (2 * tanf(12 * 3.14159265f / 180)); /* pixels of one unit at depth 1 */
     const float z = median_depth(p, count), sigma = 0.12f * kernel.profile_radius_mm;
     run r;
-    int i, c, middle = 0;
+    int i, c;
     memset(&r, 0, sizeof r);
     r.shown = p;
     r.out = texels_new(p->width, p->height);
@@ -281,12 +281,9 @@ static run prepare(const picture *p, int *count)
     r.options.mm_per_unit = kernel.radius_mm * size / (z * p->radius_px);
     r.size = size / r.options.mm_per_unit;
     r.k = 0.5f * r.options.mm_per_unit * r.options.mm_per_unit / (sigma * sigma);
-    for (i = 1; i < kernel.tap_count; ++i)
-        if (fabsf(kernel.offset_mm[i]) < fabsf(kernel.offset_mm[middle])) middle = i;
-    for (i = 0; i < kernel.tap_count; ++i) { /* the middle tap first */
-        const int from = i == 0 ? middle : i <= middle ? i - 1 : i;
-        r.offset[i] = kernel.offset_mm[from];
-        for (c = 0; c < 4; ++c) r.weight[i][c] = kernel.weight[0][from][c < 3 ? c : 0];
+    for (i = 0; i < kernel.tap_count; ++i) { /* the center, then each pair at -offset and +offset */
+        r.offset[i] = (i % 2 ? -1.0f : 1.0f) * kernel.offset_mm[(i + 1) / 2];
+        for (c = 0; c < 4; ++c) r.weight[i][c] = kernel.weight[0][(i + 1) / 2][c < 3 ? c : 0];
     }
     return r;
 }

@@ -249,8 +249,8 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
         if (c->other == RELEASED) {
             static float taps[7][4];
             for (k = 0; k < 7; ++k) {
-                memcpy(taps[k], kernel->weight[0][k], 3 * sizeof(float));
-                taps[k][3] = kernel->offset_mm[k];
+                memcpy(taps[k], kernel->weight[0][(k + 1) / 2], 3 * sizeof(float));
+                taps[k][3] = (k % 2 ? -1.0f : 1.0f) * kernel->offset_mm[(k + 1) / 2];
             }
             gl_Uniform4fv(gl_GetUniformLocation(d[i].program, "taps"), 7, taps[0]);
         }

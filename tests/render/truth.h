@@ -540,7 +540,7 @@ static inline void truth__following_pass(const truth *t, const ms_sss_kernel *ke
             if (t->layers.triangle[at] < 0) continue;
             scale = t->height / (2 * (double)t->camera.tan_half_fov * z * (double)t->mm_per_unit);
             for (i = 0; i < kernel->tap_count; ++i) {
-                const double place = (double)kernel->offset_mm[i] * width * scale;
+                const double place = (i % 2 ? -1 : 1) * (double)kernel->offset_mm[(i + 1) / 2] * width * scale;
                 const int first = (int)floor(place);
                 for (h = 0; h < 2; ++h) {
                     const int qx = x + dx * (first + h), qy = y + dy * (first + h), q = qy * t->width + qx;
@@ -551,7 +551,8 @@ static inline void truth__following_pass(const truth *t, const ms_sss_kernel *ke
                                     follow * fabs((double)t->layers.depth.pixels[q] - z) * (double)t->mm_per_unit /
                                         t->radius_mm);
                     for (c = 0; c < 3; ++c) {
-                        const double w = part * (double)kernel->weight[0][i][c], own = (double)from[3 * at + c];
+                        const double w = part * (double)kernel->weight[0][(i + 1) / 2][c],
+                                     own = (double)from[3 * at + c];
                         weights[c] += w;
                         sum[c] += w * (back < 1 ? own * back + (1 - back) * (double)from[3 * q + c] : own);
                     }
@@ -727,7 +728,7 @@ static const truth_model truth_models[] = {
     {"guided, k = 2, depth sigma 1/3 radius", MS_SSS_GUIDED, 1, MS_SSS_DENSE, 2, 0.333},
     {"pre-integrated", MS_SSS_PREINTEGRATED, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
     {"pre-integrated, depth sigma 1/3 radius", MS_SSS_PREINTEGRATED, 1, MS_SSS_DENSE, 0, 0.333},
-    {"image-optimal", MS_SSS_IMAGE_OPTIMAL, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
+    {"image-optimal, 33 taps", MS_SSS_IMAGE_OPTIMAL, 1, 33, 0, TRUTH_SIGMA},
     {"image-optimal, 7 taps (default)", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0, TRUTH_SIGMA},
     {"image-optimal, 7 taps, depth sigma 1/3 radius", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0, 0.333},
     {"image-optimal, 17 taps", MS_SSS_IMAGE_OPTIMAL, 1, 17, 0, TRUTH_SIGMA},
