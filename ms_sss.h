@@ -540,8 +540,8 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
    Masked pixels keep their bits: a channel is NaN or not within 1e30, the depth is not finite or not positive, the
    strength is 0 or NaN, or the profile has no kernel. No light passes between masked and other pixels, or between
    profiles. The effect fades from kernels with a radius of a pixel to those of half a pixel, from where on pixels keep
-   their bits. Results are bit-equal for any thread count at one SIMD level, across levels within 2e-6 of the largest
-   input.
+   their bits. Results are bit-equal for any thread count at one SIMD level, across levels within 4e-6 of the largest
+   pixel of input and output, typically 1e-6.
    MS_INVALID_ARGUMENT: a pointer, size, stride, option or kernel out of range. MS_OUT_OF_MEMORY: only without a
    workspace. Nothing is written then. Thesis 5.5, 5.10. */
 MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
@@ -1407,6 +1407,18 @@ static MS_SSS__INLINE MS__V MS__F(inverse_root)(MS__V a)
 #endif
 }
 
+/* a b, rounded before anything is added: where depths are chosen by comparison, all levels must have the same bits. */
+static MS_SSS__INLINE MS__V MS__F(product)(MS__V a, MS__V b)
+{
+    MS__V ab = MS__MUL(a, b);
+#if defined(__GNUC__) && defined(MS__X64)
+    __asm__("" : "+v"(ab)); /* else compilers fuse it with the addition */
+#elif defined(__GNUC__) && defined(MS__NEON)
+    __asm__("" : "+w"(ab));
+#endif
+    return ab;
+}
+
 static MS_SSS__INLINE MS__V MS__F(bound)(MS__V a, MS__V low, MS__V high) { return MS__MIN(MS__MAX(a, low), high); }
 
 static MS_SSS__INLINE MS__MASK MS__F(unmasked)(MS__V depth)
@@ -1556,19 +1568,25 @@ static MS_SSS__INLINE MS__V MS__F(ray)(const ms_sss__pass *p, int x)
     return MS__MUL(MS__ADD(MS__LOAD(ms_sss__iota), MS__SET((float)x + 0.5f - p->middle[0])), MS__SET(p->tangent));
 }
 
-/* Pixels per mm of the tangent plane along an axis with this slope and ray; square: of the ray's length. */
-static MS_SSS__INLINE MS__V MS__F(foreshorten)(MS__V size, MS__V along, MS__V ray, MS__V square)
+/* Pixels per mm of the tangent plane along an axis with this slope and ray; cross: the ray along the other axis. */
+static MS_SSS__INLINE MS__V MS__F(foreshorten)(MS__V size, MS__V along, MS__V ray, MS__V cross)
 {
-    return MS__MUL(size,
-                   MS__F(inverse_root)(MS__MADD(along, MS__MADD(along, square, MS__ADD(ray, ray)), MS__SET(1.0f))));
+    const MS__V x = MS__ADD(MS__F(product)(along, ray), MS__SET(1.0f)), y = MS__MUL(along, cross);
+    const MS__V xy = MS__ADD(MS__F(product)(x, x), MS__F(product)(y, y));
+    return MS__DIV(size, MS__SQRT(MS__ADD(xy, MS__F(product)(along, along))));
+}
+
+/* The area of the surface over that of its picture: the length of (slope, 1 + slope . ray). */
+static MS_SSS__INLINE MS__V MS__F(area)(MS__V sx, MS__V sy, MS__V rx, MS__V ry)
+{
+    const MS__V n = MS__ADD(MS__F(product)(sx, rx), MS__ADD(MS__F(product)(sy, ry), MS__SET(1.0f)));
+    return MS__SQRT(MS__ADD(MS__F(product)(sx, sx), MS__ADD(MS__F(product)(sy, sy), MS__F(product)(n, n))));
 }
 
 /* Cosine of the normal to the ray, for slopes sx and sy, times mm_per_depth. */
 static MS_SSS__INLINE MS__V MS__F(facing)(const ms_sss__pass *p, MS__V sx, MS__V sy, MS__V rx, MS__V ry)
 {
-    const MS__V axis = MS__MADD(rx, sx, MS__MADD(ry, sy, MS__SET(1.0f)));
-    return MS__MUL(MS__SET(p->mm_per_depth),
-                   MS__F(inverse_root)(MS__MADD(sx, sx, MS__MADD(sy, sy, MS__MUL(axis, axis)))));
+    return MS__DIV(MS__SET(p->mm_per_depth), MS__F(area)(sx, sy, rx, ry));
 }
 
 /* The slope along an axis from those on both sides, a and b, which count where on_a and on_b (their steps in depth are
@@ -1586,7 +1604,7 @@ static MS_SSS__INLINE MS__V MS__F(slope)(MS__V a, MS__V b, MS__MASK on_a, MS__MA
     a = MS__SELECT(on_a, a, MS__SELECT(on_b, b, zero));
     b = MS__SELECT(on_b, b, a);
     s = MS__MUL(half, MS__ADD(a, b));
-    even = MS__LESS(MS__ABS(MS__SUB(a, b)), MS__MUL(half, MS__MADD(a, b, one)));
+    even = MS__LESS(MS__ABS(MS__SUB(a, b)), MS__MUL(half, MS__ADD(MS__F(product)(a, b), one)));
     even = MS__BOTH(even, MS__BOTH(on_a, on_b));
     if (MS__BITS(even) != ms_sss__lanes(MS__N, MS__N)) {
         const MS__MASK first_a = MS__LESS(MS__ABS(a), MS__ABS(b)), first_b = MS__LESS(MS__ABS(b), MS__ABS(a));
@@ -1595,18 +1613,19 @@ static MS_SSS__INLINE MS__V MS__F(slope)(MS__V a, MS__V b, MS__MASK on_a, MS__MA
         const MS__MASK before = MS__LESS(half, is_a);
         const MS__V own = at[2], next = MS__SELECT(before, at[1], at[3]), after_next = MS__SELECT(before, at[0], at[4]);
         MS__V step = MS__SUB(own, next), inner = MS__SUB(next, after_next),
-              least = MS__MUL(MS__ABS(own), MS__SET(2 * rounding)), more, excess;
+              least = MS__F(product)(MS__ABS(own), MS__SET(2 * rounding)), more, excess;
         if (inverse) { /* differences of the inverses, times all three */
-            step = MS__MUL(step, after_next);
-            inner = MS__MUL(inner, own);
-            least = MS__MUL(least, own);
+            step = MS__F(product)(step, after_next);
+            inner = MS__F(product)(inner, own);
+            least = MS__F(product)(least, own);
         }
         excess = MS__SUB(MS__MIN(MS__ABS(inner), MS__SUB(MS__ABS(step), MS__ABS(inner))), least); /* NaN stays */
         more = MS__MIN(MS__DIV(excess, MS__ABS(inner)), MS__SET(0.85f));
         more = MS__SELECT(MS__BOTH(MS__LESS(zero, excess), MS__LESS(MS__ABS(MS__SUB(step, inner)), MS__ABS(step))),
                           more, zero); /* the same direction */
-        more = MS__MUL(more, MS__MADD(more, MS__MADD(MS__MUL(more, more), MS__SET(0.7f), half), half));
-        s = MS__SELECT(even, s, MS__MADD(less, more, less));
+        excess = MS__ADD(MS__F(product)(MS__MUL(more, more), MS__SET(0.7f)), half);
+        more = MS__MUL(more, MS__ADD(MS__F(product)(more, excess), half));
+        s = MS__SELECT(even, s, MS__ADD(MS__F(product)(less, more), less));
     }
     return MS__MIN(MS__MAX(s, MS__SUB(zero, limit)), limit);
 }
@@ -1617,7 +1636,7 @@ static MS_SSS__INLINE void MS__F(slopes_of_normals)(const float *const normal[3]
 {
     const MS__V zero = MS__SET(0.0f), a = MS__LOAD(normal[0] + x), b = MS__LOAD(normal[1] + x),
                 c = MS__LOAD(normal[2] + x), eighth = MS__MUL(MS__MAX(MS__ABS(a), MS__ABS(b)), MS__SET(0.125f));
-    const MS__V facing = MS__MAX(MS__SUB(c, MS__MADD(rx, a, MS__MUL(ry, b))), eighth);
+    const MS__V facing = MS__MAX(MS__SUB(c, MS__ADD(MS__F(product)(rx, a), MS__F(product)(ry, b))), eighth);
     const MS__MASK sound = MS__BOTH(MS__LESS(zero, facing),
                                     MS__LESS(MS__ABS(MS__ADD(a, MS__ADD(b, c))), MS__SET(INFINITY)));
     *sx = MS__SELECT(sound, MS__DIV(a, facing), zero);
@@ -1660,17 +1679,16 @@ static void MS__F(slopes)(const ms_sss__pass *p, const float *const depth[5], co
 static void MS__F(tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin,
                             int end, float *const out[6])
 {
-    const MS__V one = MS__SET(1.0f), ry = MS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
+    const MS__V ry = MS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
     int x;
     for (x = begin; x < end; x += MS__N) {
         const MS__V size = MS__F(pixels_per_mm)(p, MS__LOAD(depth + x)), sx = MS__LOAD(slope[0] + x),
                     sy = MS__LOAD(slope[1] + x);
-        const MS__V rx = MS__F(ray)(p, x), square = MS__MADD(rx, rx, MS__MADD(ry, ry, one)),
-                    facing = MS__F(facing)(p, sx, sy, rx, ry);
-        MS__STORE(out[0] + x, MS__F(foreshorten)(size, sx, rx, square));
+        const MS__V rx = MS__F(ray)(p, x), facing = MS__F(facing)(p, sx, sy, rx, ry);
+        MS__STORE(out[0] + x, MS__F(foreshorten)(size, sx, rx, ry));
         MS__STORE(out[1] + x, MS__MUL(sx, MS__SET(1 / p->focal[0])));
         MS__STORE(out[2] + x, facing);
-        MS__STORE(out[3] + x, MS__F(foreshorten)(size, sy, ry, square));
+        MS__STORE(out[3] + x, MS__F(foreshorten)(size, sy, ry, rx));
         MS__STORE(out[4] + x, MS__MUL(sy, MS__SET(1 / p->focal[1])));
         MS__STORE(out[5] + x, facing);
     }
@@ -1697,8 +1715,8 @@ static MS_SSS__INLINE MS__V MS__F(falloff)(MS__V dz)
 /* (1 - dz^2) / (1 + dz_falloff dz^2) for a pixel dz off the tangent plane, else 0 */
 static MS_SSS__INLINE MS__V MS__F(plane_falloff)(MS__V dz, MS__V dz_falloff)
 {
-    const MS__V one = MS__SET(1.0f), q = MS__MUL(dz, dz), f = MS__MAX(MS__SUB(one, q), MS__SET(0.0f));
-    return MS__MUL(f, MS__F(inverse)(MS__MADD(dz_falloff, q, one)));
+    const MS__V one = MS__SET(1.0f), q = MS__MIN(MS__MUL(dz, dz), one); /* of masked pixels dz^2 may be infinite */
+    return MS__MUL(MS__SUB(one, q), MS__F(inverse)(MS__MADD(dz_falloff, q, one)));
 }
 
 /* depth less the bound on its rounding, towards 0. */
@@ -1778,7 +1796,7 @@ static MS_SSS__INLINE void MS__F(read_pair)(const ms_sss__pass *p, const ms_sss_
     const float offset = pair->offset[l->stride != 0], least = g->least * offset, most = g->most * offset;
     const int low = least < (float)MS_SSS__FAR ? (int)least : (int)MS_SSS__FAR,
               high = most < (float)MS_SSS__FAR ? (int)most + 1 : (int)MS_SSS__FAR;
-    const MS__V t = MS__MUL(MS__F(size)(p, by, l, x), MS__SET(offset));
+    const MS__V t = MS__F(product)(MS__F(size)(p, by, l, x), MS__SET(offset));
     /* beyond the picture lie an empty row, or columns */
     const int before = l->stride ? l->at + 1 : x + MS__N, behind = l->stride ? l->count - l->at : l->count - x;
     const ptrdiff_t step = l->stride ? l->stride : 1;
@@ -1927,12 +1945,11 @@ static void MS__F(depth_to_d)(const ms_sss__pyramid_params *s, const float *dept
     }
 }
 
-/* Depth in pixels of a step of d. quick: relative error 2e-7, where no two results are compared. */
-static MS_SSS__INLINE MS__V MS__F(pixels_per_d)(const ms_sss__pyramid_params *s, MS__V d, const int quick)
+/* Depth in pixels of a step of d. */
+static MS_SSS__INLINE MS__V MS__F(pixels_per_d)(const ms_sss__pyramid_params *s, MS__V d)
 {
     const MS__V scale = MS__SET((s->perspective ? -1.0f : 1.0f) / s->step);
     if (!s->depth_aware) return MS__SET(0.0f);
-    if (quick) return s->perspective ? MS__MUL(scale, MS__F(inverse)(d)) : scale;
     return s->perspective ? MS__DIV(scale, d) : scale;
 }
 
@@ -1941,13 +1958,6 @@ static MS_SSS__INLINE MS__V MS__F(radius)(const ms_sss__pyramid_params *s, MS__V
 {
     return MS__MIN(s->perspective ? MS__MUL(MS__SET(-s->radius_px), d) : MS__SET(s->radius_px),
                    MS__SET(s->radius_px_most));
-}
-
-/* The area of the surface over that of its picture: the length of (slope, 1 + slope . ray). */
-static MS_SSS__INLINE MS__V MS__F(area)(MS__V sx, MS__V sy, MS__V rx, MS__V ry)
-{
-    const MS__V n = MS__MADD(sx, rx, MS__MADD(sy, ry, MS__SET(1.0f)));
-    return MS__SQRT(MS__MADD(sx, sx, MS__MADD(sy, sy, MS__MUL(n, n))));
 }
 
 /* Coverage and changes of d of row y of the picture; d: rows y - 2 to y + 2; normal: the caller's or NULL. */
@@ -1961,9 +1971,9 @@ static void MS__F(slopes_of_d)(const ms_sss__pyramid_params *s, const float *con
         const MS__V own = MS__LOAD(d[2] + i);
         const MS__MASK valid = MS__LESS(zero, MS__ABS(own));
         const MS__V safe = MS__SELECT(valid, own, MS__SET(-1.0f));
-        const MS__V pixels_per_d = MS__F(pixels_per_d)(s, safe, 0), radius = MS__F(radius)(s, safe);
-        const MS__V rx = MS__MADD(MS__LOAD(ms_sss__iota), MS__SET(s->tangent),
-                                  MS__SET(((float)i + 0.5f - s->middle[0]) * s->tangent));
+        const MS__V pixels_per_d = MS__F(pixels_per_d)(s, safe), radius = MS__F(radius)(s, safe);
+        const MS__V rx = MS__MUL(MS__ADD(MS__LOAD(ms_sss__iota), MS__SET((float)i + 0.5f - s->middle[0])),
+                                 MS__SET(s->tangent));
         MS__V slope[2], step;
         if (!(s->slope_scale > 0) || !MS__BITS(valid)) {
             MS__STORE(out[0] + i, MS__SELECT(valid, one, zero));
@@ -2036,8 +2046,8 @@ static MS_SSS__INLINE MS__F(anchor) MS__F(find_anchor)(const ms_sss__pyramid_par
             by = MS__SELECT(better, MS__SET((float)y - 0.5f), by);
         }
     a.d = a.nearest = MS__SELECT(a.some, a.d, MS__SET(-1.0f));
-    a.per_radius = MS__DIV(MS__F(pixels_per_d)(s, a.d, 0), MS__F(radius)(s, a.d));
-    if (tilted) a.d = MS__SUB(a.d, MS__MADD(bx, a.dx, MS__MUL(by, a.dy)));
+    a.per_radius = MS__DIV(MS__F(pixels_per_d)(s, a.d), MS__F(radius)(s, a.d));
+    if (tilted) a.d = MS__SUB(a.d, MS__ADD(MS__F(product)(bx, a.dx), MS__F(product)(by, a.dy)));
     return a;
 }
 
@@ -2069,25 +2079,25 @@ static MS_SSS__INLINE void MS__F(merge_columns)(const ms_sss__pyramid_params *s,
         MS__V level = there, off = away, w = one; /* level: d moved to the middle along the plane */
         if (tilted) {
             const MS__V along = MS__SET((float)(2 * half + x) - 1.5f), down = MS__SET((float)y - 1.5f);
-            level = MS__SUB(there, MS__MADD(along, a->dx, MS__MUL(down, a->dy)));
+            level = MS__SUB(there, MS__ADD(MS__F(product)(along, a->dx), MS__F(product)(down, a->dy)));
             off = MS__SUB(level, a->d);
         }
         off = MS__MUL(off, narrow[near_sides]);
-        f[x] = MS__MAX(MS__NMADD(off, off, MS__SET(root[near_sides])), zero);
+        f[x] = MS__MAX(MS__SUB(MS__SET(root[near_sides]), MS__F(product)(off, off)), zero);
         f[x] = MS__MUL(f[x], f[x]);
-        f[x] = MS__MUL(f[x], f[x]);
+        f[x] = MS__F(product)(f[x], f[x]);
         if (with_coverage) {
             const MS__V w0 = MS__LOAD(row[4] + at), w1 = MS__LOAD(row[4] + at + MS__N);
             w = x ? MS__ODDS(w0, w1) : MS__EVENS(w0, w1);
-            if (tilted) f[x] = MS__MUL(f[x], w);
+            if (tilted) f[x] = MS__F(product)(f[x], w);
         } else if (check) {
             f[x] = MS__SELECT(MS__LESS(zero, MS__ABS(there)), f[x], zero);
         }
         if (tilted || s->merge_reach > 1)
             f[x] = MS__SELECT(MS__LESS(MS__ABS(MS__MUL(away, a->per_radius)), one), f[x], zero);
-        off = with_coverage && !tilted ? MS__MUL(f[x], w) : f[x];
+        off = with_coverage && !tilted ? MS__F(product)(f[x], w) : f[x];
         sum->n = MS__ADD(sum->n, off);
-        sum->d = MS__MADD(off, level, sum->d);
+        sum->d = MS__ADD(MS__F(product)(off, level), sum->d);
         if (tilted) {
             const MS__MASK counts = MS__LESS(zero, f[x]);
             sum->least = MS__MIN(sum->least, MS__SELECT(counts, there, a->nearest));
@@ -2104,7 +2114,7 @@ static MS_SSS__INLINE void MS__F(merge_columns)(const ms_sss__pyramid_params *s,
     for (c = 5; c < 7 && tilted; ++c) {
         const MS__V u = MS__LOAD(row[c] + at), v = MS__LOAD(row[c] + at + MS__N);
         MS__V *to = c == 5 ? &sum->dx : &sum->dy;
-        *to = MS__MADD(g[1], MS__ODDS(u, v), MS__MADD(g[0], MS__EVENS(u, v), *to));
+        *to = MS__ADD(MS__F(product)(g[1], MS__ODDS(u, v)), MS__ADD(MS__F(product)(g[0], MS__EVENS(u, v)), *to));
     }
 }
 
@@ -2360,7 +2370,7 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
     for (k = 0; k < 6; ++k) sum[k] = result[k] = zero;
     if (!site.valid_bits) return;
     site.d = d;
-    site.pixels_per_d = MS__MUL(MS__F(pixels_per_d)(s, safe, 1), MS__SET(1 / cells));
+    site.pixels_per_d = MS__MUL(MS__F(pixels_per_d)(s, safe), MS__SET(1 / cells));
     site.limit = MS__MUL(radius, MS__SET(1 / cells));
     site.limit2 = MS__MUL(site.limit, site.limit);
     site.sx = site.sy = site.rounding = zero;
@@ -2456,7 +2466,7 @@ static MS_SSS__INLINE void MS__F(gather_neighbors)(const ms_sss__pyramid_params 
 {
     /* Fourth roots of the weights 1, 2 over 16 are the tops of root - (off root' )^2, which is 0 from 2 pixels on. */
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), quarter = MS__SET(0.25f);
-    const MS__V pixels_per_d = MS__F(pixels_per_d)(s, MS__SELECT(MS__LESS(zero, MS__ABS(d)), d, MS__SET(-1.0f)), 1);
+    const MS__V pixels_per_d = MS__F(pixels_per_d)(s, MS__SELECT(MS__LESS(zero, MS__ABS(d)), d, MS__SET(-1.0f)));
     const MS__V corner = MS__MUL(pixels_per_d, quarter), edge = MS__MUL(pixels_per_d, MS__SET(0.29730178f));
     const MS__V fade = MS__F(bound)(MS__NMADD(radius, MS__SET(0.1f), MS__SET(2.0f)), zero, one),
                 cosine = MS__MUL(fade, MS__F(inverse)(MS__MAX(coverage, one))),

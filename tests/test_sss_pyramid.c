@@ -646,29 +646,45 @@ static void case_corners(void)
     }
 }
 
-/* Levels against scalar: fused products and the order of sums differ, 1e-6 of values up to 3 at most. */
+/* Depths of which many are alike to rounding: noise of 2^-10 to 2^-17 of the depth, and steps of as much. */
+static void rough_depth(int kind, uint64_t *seed)
+{
+    const double step = 100 * pow(2, -10 - kind / 2);
+    int i;
+    for (i = 0; i < N; ++i)
+        depth[i] = (float)(100 + step * (kind % 2 ? test_uniform(seed) : (i % W / 7 + i / W / 5) % 2));
+}
+
+/* Levels against scalar. What is chosen by comparing depths must be the same pixels; then only fused products and the
+   order of sums differ, by 4e-6 of the brightest pixel, as stated. */
 static void case_levels(void)
 {
     const ms_sss_pyramid pyramid = skin_pyramid();
+    uint64_t seed = test_seed;
     double worst = 0;
     int level, kind, c, i;
     make_scene();
-    for (kind = 0; kind < 2; ++kind) {
+    for (kind = -2; kind < 16; ++kind) {
+        if (kind >= 0) rough_depth(kind, &seed);
         for (level = MS_SIMD_SCALAR; level <= test_simd_best(); ++level) {
             ms_sss_filter_options o = ms_sss_filter_defaults();
-            ms_sss_frame f = scene_frame(level == MS_SIMD_SCALAR ? out : again, 1, kind);
+            ms_sss_frame f = scene_frame(level == MS_SIMD_SCALAR ? out : again, 1, kind < 0 && kind % 2);
+            double most = 0;
             o.simd = (ms_simd)level;
-            o.fov_degrees = 12;
+            if (kind % 4 < 2) o.fov_degrees = 12;
+            else o.ortho_height = 20;
             run(&f, &pyramid, &o);
+            for (c = 0; c < 3; ++c)
+                for (i = 0; i < N; ++i) most = fmax(most, fmax((double)rgb[c][i], (double)out[c][i]));
             for (c = 0; c < 3 && level > MS_SIMD_SCALAR; ++c) {
                 for (i = 0; i < N; ++i) {
-                    const double e = fabs((double)out[c][i] - (double)again[c][i]);
+                    const double e = fabs((double)out[c][i] - (double)again[c][i]) / most;
                     if (!(e <= worst)) worst = e == e ? e : 1;
                 }
             }
         }
     }
-    CHECK_LE(worst, 1e-5);
+    CHECK_LE(worst, 4e-6);
     TEST_NOTE("largest difference %.1e", worst);
 }
 

@@ -499,9 +499,8 @@ static void filter(int by_pyramid)
                                 attack_fail("turned by 180 degrees: %.8g for %.8g at %d, %d", a, b, x, y);
                         }
         }
-        if (!attack->failed) { /* another level of instructions */
-            /* over depths a pyramid takes a pixel for one of the surface or not by their rounding */
-            const double close = by_pyramid && !flat_depth ? 1e-3 : 4e-6;
+        if (!attack->failed) { /* another level of instructions; over normals of no surface sines are less certain */
+            const double close = by_pyramid && k.frame.normal.channel[0] ? 1e-5 : 4e-6;
             other = o;
             other.simd = MS_SIMD_SCALAR;
             k.frame.output = again.image;
@@ -510,8 +509,8 @@ static void filter(int by_pyramid)
                     for (x = 0; x < w && !attack->failed; ++x)
                         for (c = 0; c < 3; ++c) {
                             const double a = (double)*at(&again, x, y, c), b = (double)*at(&out, x, y, c);
-                            if (a - a == 0 && b - b == 0 && fabs(a) < 1e30 && fabs(a - b) > close * (double)most &&
-                                !dirty)
+                            if (a - a == 0 && b - b == 0 && fabs(a) < 1e30 && !dirty &&
+                                fabs(a - b) > close * fmax((double)most, fabs(a)))
                                 attack_fail("levels differ: %.8g scalar, %.8g at %d, %d, largest input %.4g", a, b, x,
                                             y, (double)most);
                         }
