@@ -179,6 +179,7 @@ static void case_texture(void)
     static const double radius[] = {64, 90, 24, 128};
     const ms_sss_pyramid pyramid = skin_pyramid();
     int i;
+    TEST_METHOD;
     for (i = 0; i < (test_full ? 4 : 3); ++i) {
         const double e = texture_error(&pyramid, radius[i]);
         CHECK_LE(e,
