@@ -3659,15 +3659,6 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #define MS_NN__V_MAX(a, b) MS_NN__V_IF_GREATER(a, b, a, b)
 #define MS_NN__V_MIN(a, b) MS_NN__V_IF_GREATER(b, a, a, b)
 
-/* A vector that is used several times is loaded once: GCC would read it anew for each use. */
-#ifdef MS_NN__X86
-#define MS_NN__V_KEEP(v) __asm__("" : "+x"(v))
-#define MS_NN__V_PREFETCH(p, ahead) _mm_prefetch((const char *)(p) + (ahead), _MM_HINT_T0)
-#else
-#define MS_NN__V_KEEP(v) ((void)0)
-#define MS_NN__V_PREFETCH(p, ahead) ((void)0)
-#endif
-
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(load)(const void *p)
 {
     MS_NN__V_FLOATS v;
@@ -3712,7 +3703,6 @@ MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t
             float lane[MS_NN__V_LANES], y = 0;
             sum[0] = sum[1] = MS_NN__V_SET(0.0f);
             for (k = 0; k + pair <= cols; k += pair, w += pair * size, x += pair) {
-                MS_NN__V_PREFETCH(w, 4096); /* across the ends of pages, where the processor's own prefetching stops */
                 sum[0] = MS_NN__V_MADD(MS_NN__FN(weight)(w, dtype), MS_NN__FN(load)(x), sum[0]);
                 sum[1] = MS_NN__V_MADD(MS_NN__FN(weight)(w + MS_NN__V_LANES * size, dtype),
                                        MS_NN__FN(load)(x + MS_NN__V_LANES), sum[1]);
@@ -3790,8 +3780,6 @@ MS_NN__INLINE void MS_NN__FN(packed_tile)(const ms_nn__dense *job, size_t row, s
         for (v = 0; v < 4 * panels; ++v) {
             const unsigned char *p = w + (size_t)(v % 4) * vector + (size_t)(v / 4) * cols * 4 * vector;
             u = MS_NN__FN(weight)(p, dtype);
-            if (batch > 1) MS_NN__V_KEEP(u);
-            if (batch > 1) MS_NN__V_PREFETCH(p, 2048);
             MS_NN__UNROLL
             for (b = 0; b < batch; ++b) sum[v][b] = MS_NN__V_MADD(u, value[b], sum[v][b]);
         }
@@ -4065,7 +4053,6 @@ static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,      MS_NN__P_RO
                                                 MS_NN__FN(packed),   MS_NN__FN(dense), MS_NN__FN(conv),
                                                 MS_NN__FN(activate), MS_NN__FN(widen), MS_NN__FN(product)};
 
-#undef MS_NN__V_KEEP
 #undef MS_NN__TARGET
 #undef MS_NN__KERNEL
 #undef MS_NN__LEVEL
@@ -4074,7 +4061,6 @@ static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,      MS_NN__P_RO
 #undef MS_NN__V_BLOCK
 #undef MS_NN__V_TILE
 #undef MS_NN__P_ROWS
-#undef MS_NN__V_PREFETCH
 #undef MS_NN__V_FLOATS
 #undef MS_NN__V_SET
 #undef MS_NN__V_MADD
