@@ -383,8 +383,9 @@ typedef struct ms_gpr_recommend_report {
    sigma     [count] out, or NULL: their standard deviation
    report    out, or NULL
    Separate regions that are liked get recommendations in proportion to their volume, as far as 4096 candidates tell it;
-   where fewer than 16 of them hit any, from the answered materials and a climb. MS_NOT_CONVERGED: there are not so many different materials,
-   or all others are to be avoided; then, and with MS_CANCELLED, the first report->found rows are valid.
+   where fewer than 16 of them hit any, from the answered materials and a climb. MS_NOT_CONVERGED: there are not so many
+   different materials, or all others are to be avoided; then, and with MS_CANCELLED, the first report->found rows are
+   valid.
    MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Thesis 3.4.1; Neal 2003, slice sampling. */
 MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
                                   double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error);
