@@ -369,7 +369,7 @@ typedef struct ms_gpr_recommend_report {
     int liked;            /* materials that were scored, or are predicted where they were chosen, above the floor */
     double threshold;     /* in units of the score; of variants: the least of their means */
     double best;          /* largest mean that was found over the box */
-    double acceptance;    /* share of the first candidates whose mean reaches the threshold: 4096, where few do 8192 */
+    double acceptance;    /* share of 4096 uniform candidates whose mean reaches the threshold */
     double candidates;    /* whose means were predicted, but for those along chains */
     double spread;        /* mean distance of the first 200 to the nearest of them, measured as avoid_distance */
 } ms_gpr_recommend_report;
@@ -382,9 +382,10 @@ typedef struct ms_gpr_recommend_report {
    mean      [count] out, or NULL: predicted scores
    sigma     [count] out, or NULL: their standard deviation
    report    out, or NULL
-   Separate regions that are liked get recommendations in proportion to their volume, as far as 8192 candidates tell it;
-   regions that none of these hits are found by 16 ascents. MS_NOT_CONVERGED: there are not so many different materials,
-   or all others are to be avoided; then, and with MS_CANCELLED, the first report->found rows are valid.
+   Separate regions that are liked get recommendations in proportion to their volume, as far as 4096 candidates tell it;
+   where fewer than 16 of them hit any, from the answered materials and a climb. MS_NOT_CONVERGED: there are not so many
+   different materials, or all others are to be avoided; then, and with MS_CANCELLED, the first report->found rows are
+   valid.
    MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Thesis 3.4.1; Neal 2003, slice sampling. */
 MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
                                   double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error);
@@ -3369,7 +3370,7 @@ static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, int *liking, ms_error
         ms_gpr__box_point(&s->box, h->candidate + (size_t)i * m, h->seed + (size_t)h->seeds++ * m);
     }
     for (i = 0, hits = 0; i < MS_GPR__PILOT; ++i) hits += h->mean[i] >= h->threshold;
-    h->report.acceptance = (double)hits / MS_GPR__PILOT;
+    h->report.acceptance = (double)hits / (int)MS_GPR__PILOT;
     return MS_OK;
 }
 
