@@ -4550,14 +4550,22 @@ MS_SSS__COLD MS_API void ms_sss_profile_radius(const ms_sss_profile *p, double f
     if (p == NULL || out == NULL) return;
     ms_sss_profile_reflectance(p, total);
     for (c = 0; c < 3; ++c) {
-        double low = 1e-30, high = 1e12;
-        for (i = 0; i < 64; ++i) { /* 96 in the logarithm, down to rounding */
-            const double middle = sqrt(low * high);
+        double low = 0, high = 1e-9;
+        out[c] = 0;
+        if (!(total[c] > 0)) continue;
+        for (i = 0; i < 70; ++i) { /* the last radius that all doubles of 1e-9 mm to 1e12 mm need */
+            ms_sss_profile_disc(p, high, inside);
+            if (inside[c] >= fraction * total[c]) break;
+            low = high;
+            high *= 2;
+        }
+        while (high - low > 1e-10 * high && high > 1e-300) { /* below, halves are no longer smaller */
+            double middle = 0.5 * (low + high);
             ms_sss_profile_disc(p, middle, inside);
             if (inside[c] >= fraction * total[c]) high = middle;
             else low = middle;
         }
-        out[c] = total[c] > 0 ? high : 0;
+        out[c] = high;
     }
 }
 
