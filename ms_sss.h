@@ -91,7 +91,7 @@
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
-   Profiles and designers are one block each from the caller's allocator (a designer: at most 2.3 MB). Building a kernel
+   Profiles and designers are one block each from the caller's allocator (a designer: 2.3 MB). Building a kernel
    takes up to 2.1 MB more (33 taps of six terms; 0.5 MB of one term), measuring one 60 KB, and gives it back. Filters
    allocate nothing if the caller gives a workspace. No globals. At most 32 KB of stack a call, 64 KB at -O0.
    Profiles, designers and kernels are only read once made: calls may overlap. Filters cut the picture into rows for
@@ -396,7 +396,7 @@ typedef struct ms_sss_designer ms_sss_designer;
 /* radius_px: pixels that the 99% energy radius of the widest channel covers where the kernel will be used, up to 1e9;
    0: 24; above 128: 128, from where on errors hardly change. Kernels scale with depth when they are applied: design for
    the closest view that matters. The profile is not kept.
-   MS_INVALID_ARGUMENT: radius_px; a profile without any light. MS_OUT_OF_MEMORY: about 2 MB are needed. */
+   MS_INVALID_ARGUMENT: radius_px; a profile without any light. MS_OUT_OF_MEMORY: 2.3 MB are needed. */
 MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss_profile *profile, double radius_px,
                                         const ms_allocator *allocator, ms_error *error);
 MS_API void ms_sss_designer_destroy(ms_sss_designer *designer);
@@ -4560,14 +4560,22 @@ MS_SSS__COLD MS_API void ms_sss_profile_radius(const ms_sss_profile *p, double f
     if (p == NULL || out == NULL) return;
     ms_sss_profile_reflectance(p, total);
     for (c = 0; c < 3; ++c) {
-        double low = 1e-30, high = 1e12;
-        for (i = 0; i < 64; ++i) { /* 96 in the logarithm, down to rounding */
-            const double middle = sqrt(low * high);
+        double low = 0, high = 1e-9;
+        out[c] = 0;
+        if (!(total[c] > 0)) continue;
+        for (i = 0; i < 70; ++i) { /* the last radius that all doubles of 1e-9 mm to 1e12 mm need */
+            ms_sss_profile_disc(p, high, inside);
+            if (inside[c] >= fraction * total[c]) break;
+            low = high;
+            high *= 2;
+        }
+        while (high - low > 1e-10 * high && high > 1e-300) { /* below, halves are no longer smaller */
+            double middle = 0.5 * (low + high);
             ms_sss_profile_disc(p, middle, inside);
             if (inside[c] >= fraction * total[c]) high = middle;
             else low = middle;
         }
-        out[c] = total[c] > 0 ? high : 0;
+        out[c] = high;
     }
 }
 
