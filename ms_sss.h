@@ -1087,7 +1087,6 @@ typedef enum ms_sss__weights {
 typedef struct ms_sss__gather_tap {
     ptrdiff_t at;       /* floats from the middle of its four nearest */
     float x, y, square; /* position in pixels of that level, squared distance */
-    float rest;         /* 1 - square / the squared radius of the gather */
 } ms_sss__gather_tap;
 
 /* Parameters of the pyramid's row kernels. Depth enters as d, which is linear on planes: -1 / depth in perspective,
@@ -1107,10 +1106,8 @@ typedef struct ms_sss__pyramid_params {
     float elevation_4[3], max_factor[3]; /* K / 4; 1 / reflectance */
     const ms_sss__gather_tap (*tap)[2][64]; /* [odd row][odd column], the nearest first: four surround the pixel */
     int taps;                               /* of each of the four lists */
-    int core;                               /* taps that surfaces facing the camera need */
     int sums;                               /* whether the coarser level has sums */
     ptrdiff_t plane;                        /* floats from a plane of the coarser level to the next */
-    float inner;                            /* 1 / radius of the gather */
     float norm, mean, spread;               /* of the gather's taps: 1 / sum, E r / E r^2, E r^2 / E r^4 */
     float blur;                             /* variance of a position within a pixel of the next level */
     float rounding;                         /* twice the relative error of d */
@@ -1134,8 +1131,8 @@ typedef struct ms_sss__simd {
     void (*depth_to_d)(const ms_sss__pyramid_params *s, const float *depth, int count, float *d);
     void (*slopes_of_d)(const ms_sss__pyramid_params *s, const float *const d[5], const float *const normal[3], int y,
                         int first, int count, float *const out[3]);
-    void (*downsample_level)(const ms_sss__pyramid_params *s, const float *row[4][7], int first, int count,
-                             float *const out[7]);
+    void (*downsample)(const ms_sss__pyramid_params *s, const float *row[4][7], int first, int count,
+                       float *const out[7]);
     void (*gather)(const ms_sss__pyramid_params *s, const float *const own[3], const float *coarse, int first,
                    int count, int y, float *const out[6]);
     void (*resolve)(const ms_sss__pyramid_params *s, const float *const row[4], ptrdiff_t stride,
@@ -2011,8 +2008,7 @@ typedef struct MS__F(anchor) {
 } MS__F(anchor);
 
 /* The nearest of the middle four that has a quarter of the largest coverage. row: as in downsample_row. */
-static MS_SSS__INLINE MS__F(anchor) MS__F(find_anchor)(const ms_sss__pyramid_params *s, const int tilted,
-                                                       const int with_coverage, const float *row[4][7], int i)
+static MS_SSS__INLINE MS__F(anchor) MS__F(find_anchor)(const ms_sss__pyramid_params *s, const float *row[4][7], int i)
 {
     const MS__V zero = MS__SET(0.0f);
     MS__V most = zero, bx = zero, by = zero, middle[2][2], coverage[2][2];
@@ -2020,23 +2016,23 @@ static MS_SSS__INLINE MS__F(anchor) MS__F(find_anchor)(const ms_sss__pyramid_par
     int x, y, c;
     MS__UNROLL
     for (y = 0; y < 2; ++y) {
-        const float *z = row[y + 1][3] + 2 * i, *w = with_coverage ? row[y + 1][4] + 2 * i : z;
+        const float *z = row[y + 1][3] + 2 * i, *w = row[y + 1][4] + 2 * i;
         const MS__V z0 = MS__LOAD(z), z1 = MS__LOAD(z + MS__N), w0 = MS__LOAD(w), w1 = MS__LOAD(w + MS__N);
         middle[y][0] = MS__EVENS(z0, z1);
         middle[y][1] = MS__ODDS(z0, z1);
-        coverage[y][0] = MS__ABS(MS__EVENS(w0, w1));
-        coverage[y][1] = MS__ABS(MS__ODDS(w0, w1));
+        coverage[y][0] = MS__EVENS(w0, w1);
+        coverage[y][1] = MS__ODDS(w0, w1);
         most = MS__MAX(most, MS__MAX(coverage[y][0], coverage[y][1]));
     }
     a.some = MS__LESS(zero, most);
     a.d = MS__SET(INFINITY);
     a.dx = a.dy = zero;
-    most = with_coverage ? MS__MUL(most, MS__SET(0.25f)) : zero;
+    most = MS__MUL(most, MS__SET(0.25f));
     for (y = 0; y < 2; ++y)
         for (x = 0; x < 2; ++x) {
             const MS__MASK better = MS__BOTH(MS__LESS(most, coverage[y][x]), MS__LESS(middle[y][x], a.d));
             a.d = MS__SELECT(better, middle[y][x], a.d);
-            for (c = 5; c < 7 && tilted; ++c) {
+            for (c = 5; c < 7; ++c) {
                 const MS__V u = MS__LOAD(row[y + 1][c] + 2 * i), v = MS__LOAD(row[y + 1][c] + 2 * i + MS__N),
                             there = x ? MS__ODDS(u, v) : MS__EVENS(u, v);
                 if (c == 5) a.dx = MS__SELECT(better, there, a.dx);
@@ -2047,7 +2043,7 @@ static MS_SSS__INLINE MS__F(anchor) MS__F(find_anchor)(const ms_sss__pyramid_par
         }
     a.d = a.nearest = MS__SELECT(a.some, a.d, MS__SET(-1.0f));
     a.per_radius = MS__DIV(MS__F(pixels_per_d)(s, a.d), MS__F(radius)(s, a.d));
-    if (tilted) a.d = MS__SUB(a.d, MS__ADD(MS__F(product)(bx, a.dx), MS__F(product)(by, a.dy)));
+    a.d = MS__SUB(a.d, MS__ADD(MS__F(product)(bx, a.dx), MS__F(product)(by, a.dy)));
     return a;
 }
 
@@ -2060,111 +2056,77 @@ typedef struct MS__F(merged) {
 
 /* Adds columns 2i - 1 + 2 half and the next of row y (0 to 3). Weights are (1, 3, 3, 1) / 8 both ways for pixels near
    the tangent plane of the anchor: fourth powers of root[] (1 - (off / merge_reach radii)^2), by the number of near
-   sides. check: whether masked pixels have to be left out by name. */
-static MS_SSS__INLINE void MS__F(merge_columns)(const ms_sss__pyramid_params *s, const int tilted,
-                                                const int with_coverage, const int check, const MS__F(anchor) * a,
-                                                const MS__V narrow[3], const float *row[7], int y, int half, int i,
-                                                MS__F(merged) * sum)
+   sides. */
+static MS_SSS__INLINE void MS__F(merge_columns)(const MS__F(anchor) * a, const MS__V narrow[3], const float *row[7],
+                                                int y, int half, int i, MS__F(merged) * sum)
 {
     static const float root[3] = {0.353553391f, 0.465302426f, 0.612372436f}; /* fourth roots of 1, 3, 9 over 64 */
-    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f);
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), down = MS__SET((float)y - 1.5f);
     const ptrdiff_t at = 2 * i - 1 + 2 * half;
-    const MS__V z0 = MS__LOAD(row[3] + at), z1 = MS__LOAD(row[3] + at + MS__N);
-    MS__V f[2], g[2];
+    MS__V v[7][2], f[2], g[2];
     int x, c;
+    MS__UNROLL
+    for (c = 0; c < 7; ++c) {
+        const MS__V first = MS__LOAD(row[c] + at), second = MS__LOAD(row[c] + at + MS__N);
+        v[c][0] = MS__EVENS(first, second);
+        v[c][1] = MS__ODDS(first, second);
+    }
     MS__UNROLL
     for (x = 0; x < 2; ++x) {
         const int near_sides = (half != x) + (y == 1 || y == 2);
-        const MS__V there = x ? MS__ODDS(z0, z1) : MS__EVENS(z0, z1), away = MS__SUB(there, a->nearest);
-        MS__V level = there, off = away, w = one; /* level: d moved to the middle along the plane */
-        if (tilted) {
-            const MS__V along = MS__SET((float)(2 * half + x) - 1.5f), down = MS__SET((float)y - 1.5f);
-            level = MS__SUB(there, MS__ADD(MS__F(product)(along, a->dx), MS__F(product)(down, a->dy)));
-            off = MS__SUB(level, a->d);
-        }
-        off = MS__MUL(off, narrow[near_sides]);
+        const MS__V there = v[3][x], away = MS__SUB(there, a->nearest), along = MS__SET((float)(2 * half + x) - 1.5f);
+        /* d moved to the middle along the plane */
+        const MS__V level = MS__SUB(there, MS__ADD(MS__F(product)(along, a->dx), MS__F(product)(down, a->dy)));
+        const MS__V off = MS__MUL(MS__SUB(level, a->d), narrow[near_sides]);
+        MS__MASK counts;
         f[x] = MS__MAX(MS__SUB(MS__SET(root[near_sides]), MS__F(product)(off, off)), zero);
         f[x] = MS__MUL(f[x], f[x]);
-        f[x] = MS__F(product)(f[x], f[x]);
-        if (with_coverage) {
-            const MS__V w0 = MS__LOAD(row[4] + at), w1 = MS__LOAD(row[4] + at + MS__N);
-            w = x ? MS__ODDS(w0, w1) : MS__EVENS(w0, w1);
-            if (tilted) f[x] = MS__F(product)(f[x], w);
-        } else if (check) {
-            f[x] = MS__SELECT(MS__LESS(zero, MS__ABS(there)), f[x], zero);
-        }
-        if (tilted || s->merge_reach > 1)
-            f[x] = MS__SELECT(MS__LESS(MS__ABS(MS__MUL(away, a->per_radius)), one), f[x], zero);
-        off = with_coverage && !tilted ? MS__F(product)(f[x], w) : f[x];
-        sum->n = MS__ADD(sum->n, off);
-        sum->d = MS__ADD(MS__F(product)(off, level), sum->d);
-        if (tilted) {
-            const MS__MASK counts = MS__LESS(zero, f[x]);
-            sum->least = MS__MIN(sum->least, MS__SELECT(counts, there, a->nearest));
-            sum->greatest = MS__MAX(sum->greatest, MS__SELECT(counts, there, a->nearest));
-            g[x] = MS__DIV(f[x], MS__MAX(w, one));
-            sum->seen = MS__ADD(sum->seen, g[x]);
-        }
+        f[x] = MS__F(product)(MS__MUL(f[x], f[x]), v[4][x]);
+        f[x] = MS__SELECT(MS__LESS(MS__ABS(MS__MUL(away, a->per_radius)), one), f[x], zero);
+        counts = MS__LESS(zero, f[x]);
+        sum->n = MS__ADD(sum->n, f[x]);
+        sum->d = MS__ADD(MS__F(product)(f[x], level), sum->d);
+        sum->least = MS__MIN(sum->least, MS__SELECT(counts, there, a->nearest));
+        sum->greatest = MS__MAX(sum->greatest, MS__SELECT(counts, there, a->nearest));
+        g[x] = MS__DIV(f[x], MS__MAX(v[4][x], one));
+        sum->seen = MS__ADD(sum->seen, g[x]);
     }
     MS__UNROLL
-    for (c = 0; c < 3; ++c) {
-        const MS__V u = MS__LOAD(row[c] + at), v = MS__LOAD(row[c] + at + MS__N);
-        sum->color[c] = MS__MADD(f[1], MS__ODDS(u, v), MS__MADD(f[0], MS__EVENS(u, v), sum->color[c]));
-    }
-    for (c = 5; c < 7 && tilted; ++c) {
-        const MS__V u = MS__LOAD(row[c] + at), v = MS__LOAD(row[c] + at + MS__N);
-        MS__V *to = c == 5 ? &sum->dx : &sum->dy;
-        *to = MS__ADD(MS__F(product)(g[1], MS__ODDS(u, v)), MS__ADD(MS__F(product)(g[0], MS__EVENS(u, v)), *to));
+    for (c = 0; c < 3; ++c) sum->color[c] = MS__MADD(f[1], v[c][1], MS__MADD(f[0], v[c][0], sum->color[c]));
+    for (x = 0; x < 2; ++x) {
+        sum->dx = MS__ADD(MS__F(product)(g[x], v[5][x]), sum->dx);
+        sum->dy = MS__ADD(MS__F(product)(g[x], v[6][x]), sum->dy);
     }
 }
 
-/* Downsamples one row of a level from rows 2j - 1 to 2j + 2 of the finer one, each color, d, coverage, changes of d.
-   tilted 0: no changes; the picture has coverage 1 (NULL), and colors of levels are premultiplied by coverage. */
-static MS_SSS__INLINE void MS__F(downsample_row)(const ms_sss__pyramid_params *s, const int tilted,
-                                                 const int with_coverage, const float *row[4][7], int first, int count,
-                                                 float *const out[7])
+/* Downsamples one row of a level from rows 2j - 1 to 2j + 2 of the finer one, each color, d, coverage, changes of d. */
+static void MS__F(downsample)(const ms_sss__pyramid_params *s, const float *row[4][7], int first, int count,
+                              float *const out[7])
 {
     static const float half_root[3] = {0.594603558f, 0.682130799f, 0.782542290f}; /* square roots of root[] above */
     const MS__V zero = MS__SET(0.0f);
-    int i, y, half, c;
+    int i, y, c;
     for (i = first; i < count; i += MS__N) {
-        MS__F(anchor) a = MS__F(find_anchor)(s, tilted, with_coverage, row, i);
-        MS__V narrow[3], per_n;
+        MS__F(anchor) a = MS__F(find_anchor)(s, row, i);
+        MS__V narrow[3], result[7], per_n;
         MS__F(merged) sum;
-        int check;
-        if (!MS__BITS(a.some)) {
-            for (c = 0; c < (tilted ? 7 : 5); ++c) MS__STORE(out[c] + i, zero);
-            continue;
-        }
-        for (c = 0; c < 3; ++c) narrow[c] = MS__MUL(a.per_radius, MS__SET(half_root[c] / s->merge_reach));
-        /* else masked pixels, of d 0, are too deep to count */
-        check = !with_coverage && MS__BITS(MS__LESS(MS__MUL(MS__ABS(a.nearest), narrow[0]), MS__SET(half_root[0])));
-        sum.color[0] = sum.color[1] = sum.color[2] = sum.d = sum.n = sum.dx = sum.dy = sum.seen = zero;
+        memset(&sum, 0, sizeof sum);
         sum.least = sum.greatest = a.nearest;
-        for (y = 0; y < 4; ++y)
-            for (half = 0; half < 2; ++half)
-                MS__F(merge_columns)(s, tilted, with_coverage, check, &a, narrow, row[y], y, half, i, &sum);
+        for (c = 0; c < 3; ++c) narrow[c] = MS__MUL(a.per_radius, MS__SET(half_root[c] / s->merge_reach));
+        for (y = 0; y < 4 && MS__BITS(a.some); ++y) {
+            MS__F(merge_columns)(&a, narrow, row[y], y, 0, i, &sum);
+            MS__F(merge_columns)(&a, narrow, row[y], y, 1, i, &sum);
+        }
         a.some = MS__BOTH(MS__LESS(MS__SET(1e-20f), sum.n), a.some);
         per_n = MS__F(inverse)(sum.n);
-        for (c = 0; c < 3; ++c) {
-            const MS__V color = tilted ? MS__MUL(sum.color[c], per_n) : sum.color[c];
-            MS__STORE(out[c] + i, MS__ORDER(MS__SELECT(a.some, color, zero)));
-        }
-        sum.d = MS__DIV(sum.d, sum.n);
-        if (tilted) sum.d = MS__F(bound)(sum.d, sum.least, sum.greatest); /* planes are extrapolated within bounds */
-        MS__STORE(out[3] + i, MS__ORDER(MS__SELECT(a.some, sum.d, zero)));
-        MS__STORE(out[4] + i, MS__ORDER(MS__SELECT(a.some, sum.n, zero)));
-        if (!tilted) continue;
-        MS__STORE(out[5] + i, MS__ORDER(MS__SELECT(a.some, MS__DIV(MS__ADD(sum.dx, sum.dx), sum.seen), zero)));
-        MS__STORE(out[6] + i, MS__ORDER(MS__SELECT(a.some, MS__DIV(MS__ADD(sum.dy, sum.dy), sum.seen), zero)));
+        for (c = 0; c < 3; ++c) result[c] = MS__MUL(sum.color[c], per_n);
+        /* planes are extrapolated within bounds */
+        result[3] = MS__F(bound)(MS__DIV(sum.d, sum.n), sum.least, sum.greatest);
+        result[4] = sum.n;
+        result[5] = MS__DIV(MS__ADD(sum.dx, sum.dx), sum.seen);
+        result[6] = MS__DIV(MS__ADD(sum.dy, sum.dy), sum.seen);
+        for (c = 0; c < 7; ++c) MS__STORE(out[c] + i, MS__ORDER(MS__SELECT(a.some, result[c], zero)));
     }
-}
-
-static void MS__F(downsample_level)(const ms_sss__pyramid_params *s, const float *row[4][7], int first, int count,
-                                    float *const out[7])
-{
-    if (s->slope_scale > 0) MS__F(downsample_row)(s, 1, 1, row, first, count, out);
-    else MS__F(downsample_row)(s, 0, row[1][4] != NULL, row, first, count, out);
 }
 
 /* --- up: gather from the coarser level --- */
@@ -2236,7 +2198,6 @@ typedef struct MS__F(site) {
     MS__V cosine;        /* of the normal to the ray, 0 where there is no tangent plane on this level */
     MS__V shrink;        /* 1 / the surface's area over that of its picture, at least 1 / 1.5 */
     MS__V rounding;      /* bound on the distance of planes from their tangent plane by rounding */
-    unsigned valid_bits;
 } MS__F(site);
 
 /* Sums of a gather: weights; light; moments of sin(theta), or with `wide` weights times the factor of elevation. */
@@ -2246,62 +2207,35 @@ typedef struct MS__F(gathered) {
 
 /* The sums of the coarser level, bilinear (9, 3, 3, 1) / 16, of pixels near the tangent plane: fourth powers of
    nearness (1 - (off / reach radii)^2). */
-static MS_SSS__INLINE void MS__F(gather_sums)(const ms_sss__pyramid_params *s, const int tilted,
-                                              const MS__F(site) * site, const float *coarse,
-                                              const ms_sss__gather_tap *tap, MS__V sum[6])
+static MS_SSS__INLINE void MS__F(gather_sums)(const ms_sss__pyramid_params *s, const MS__F(site) * site,
+                                              const float *coarse, const ms_sss__gather_tap *tap, MS__V sum[6])
 {
     static const float nearness[4] = {0.86602540f, 0.65803701f, 0.65803701f, 0.5f}; /* fourth roots */
     static const float half_nearness[3] = {0.93060486f, 0.81119480f, 0.70710678f};  /* their square roots */
     const MS__V zero = MS__SET(0.0f), per_reach = MS__MUL(MS__SET(1 / s->reach), MS__F(inverse)(site->limit));
-    const int cut = tilted || s->reach > 1; /* else pixels beyond the limit are too far from the plane to count */
     MS__V close[3];
     int k, c;
-    for (k = 0; k < 3; ++k)
-        close[k] = MS__MUL(tilted ? per_reach : MS__MUL(site->pixels_per_d, per_reach), MS__SET(half_nearness[k]));
+    for (k = 0; k < 3; ++k) close[k] = MS__MUL(per_reach, MS__SET(half_nearness[k]));
     for (k = 0; k < 4; ++k) {
         const float *p = coarse + tap[k].at;
-        const MS__V away = MS__SUB(MS__LOAD(p + 3 * s->plane), site->d), depth = MS__MUL(away, site->pixels_per_d);
-        MS__V off = away, t;
-        if (tilted) off = MS__NMADD(MS__SET(tap[k].x), site->sx, MS__NMADD(MS__SET(tap[k].y), site->sy, depth));
+        const MS__V depth = MS__MUL(MS__SUB(MS__LOAD(p + 3 * s->plane), site->d), site->pixels_per_d);
+        MS__V off = MS__NMADD(MS__SET(tap[k].x), site->sx, MS__NMADD(MS__SET(tap[k].y), site->sy, depth)), t;
         off = MS__MUL(off, close[(k + 1) / 2]);
         t = MS__MAX(MS__NMADD(off, off, MS__SET(nearness[k])), zero);
         t = MS__MUL(t, t);
         t = MS__MUL(t, t);
-        if (cut) t = MS__SELECT(MS__LESS(MS__ABS(depth), site->limit), t, zero);
+        t = MS__SELECT(MS__LESS(MS__ABS(depth), site->limit), t, zero);
         MS__UNROLL
         for (c = 0; c < 6; ++c) sum[c] = MS__MADD(t, MS__LOAD(p + (5 + c) * s->plane), sum[c]);
     }
 }
 
-/* Light of the coarser level by (1 - r^2 / radius^2)^2 (wide: ^3), without slopes: colors are premultiplied by
-   coverage. */
-static MS_SSS__INLINE void MS__F(gather_flat)(const ms_sss__pyramid_params *s, const int wide, const MS__F(site) * site,
-                                              const float *coarse, const ms_sss__gather_tap *tap, MS__F(gathered) * sum)
-{
-    const float square = MS_SSS__GATHER(wide, s->level);
-    const MS__V zero = MS__SET(0.0f), inner = MS__MUL(site->pixels_per_d, MS__SET(s->inner)),
-                most = MS__MUL(site->limit2, MS__SET(1 / square));
-    /* else pixels beyond the limit are too far away to count */
-    const int cut = (MS__BITS(MS__LESS(most, MS__SET(1.0f))) & site->valid_bits) != 0;
-    int k, c;
-    for (k = 0; k < s->core; ++k) {
-        const float *p = coarse + tap[k].at;
-        const MS__V dz = MS__MUL(MS__SUB(MS__LOAD(p + 3 * s->plane), site->d), inner),
-                    t = MS__MAX(MS__NMADD(dz, dz, MS__SET(tap[k].rest)), zero);
-        MS__V w = MS__MUL(t, t);
-        if (wide) w = MS__MUL(w, t);
-        if (cut) w = MS__SELECT(MS__LESS(MS__MUL(dz, dz), most), w, zero);
-        sum->n = MS__MADD(w, MS__LOAD(p + 4 * s->plane), sum->n);
-        MS__UNROLL
-        for (c = 0; c < 3; ++c) sum->light[c] = MS__MADD(w, MS__LOAD(p + c * s->plane), sum->light[c]);
-    }
-}
-
-/* The same by distance on the surface and by the area that each pixel shows. Elevation: wide, of every pixel; else of
+/* Light of the coarser level by (1 - r^2 / radius^2)^2 (wide: ^3) of the distance on the surface and by the area that
+   each pixel shows. Elevation: wide, of every pixel; else of
    the mean and mean square of sin(theta). */
-static MS_SSS__INLINE void MS__F(gather_tilted)(const ms_sss__pyramid_params *s, const int wide,
-                                                const MS__F(site) * site, MS__V fall, const float *coarse,
-                                                const ms_sss__gather_tap *tap, int count, MS__F(gathered) * sum)
+static MS_SSS__INLINE void MS__F(gather_light)(const ms_sss__pyramid_params *s, const int wide,
+                                               const MS__F(site) * site, MS__V fall, const float *coarse,
+                                               const ms_sss__gather_tap *tap, int count, MS__F(gathered) * sum)
 {
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f);
     int k, c;
@@ -2352,57 +2286,44 @@ static MS_SSS__INLINE void MS__F(elevate_gathered)(const ms_sss__pyramid_params 
 
 /* gather for the even or the odd columns of MS__N pairs with these d and changes of d. result: three sums of light,
    three of weights. */
-static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, const int wide, const int tilted,
-                                              MS__V d, MS__V dx, MS__V dy, const float *coarse,
-                                              const ms_sss__gather_tap *tap, MS__V rx, MS__V ry, int *index,
-                                              MS__V result[6])
+static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, const int wide, MS__V d, MS__V dx,
+                                              MS__V dy, const float *coarse, const ms_sss__gather_tap *tap, MS__V rx,
+                                              MS__V ry, int *index, MS__V result[6])
 {
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f);
     const float cells = (float)(1 << (s->level + 1)); /* pixels of the picture along one of the coarser level */
     const float square = MS_SSS__GATHER(wide, s->level);
     const MS__MASK valid = MS__LESS(zero, MS__ABS(d));
     const MS__V safe = MS__SELECT(valid, d, MS__SET(-1.0f)), radius = MS__F(radius)(s, safe);
-    MS__V size = radius, norm = MS__SET(s->norm), sum[6], weight[3];
+    MS__V area, cap, reach, norm, sum[6], weight[3];
+    MS__MASK sound; /* planes so steep that four pixels span a radius in depth have no tangent plane here */
     MS__F(gathered) light;
     MS__F(site) site;
-    int k, c;
-    site.valid_bits = MS__BITS(valid);
+    int k, c, count = 4;
+    memset(&light, 0, sizeof light);
     for (k = 0; k < 6; ++k) sum[k] = result[k] = zero;
-    if (!site.valid_bits) return;
+    if (!MS__BITS(valid)) return;
     site.d = d;
     site.pixels_per_d = MS__MUL(MS__F(pixels_per_d)(s, safe), MS__SET(1 / cells));
     site.limit = MS__MUL(radius, MS__SET(1 / cells));
     site.limit2 = MS__MUL(site.limit, site.limit);
-    site.sx = site.sy = site.rounding = zero;
-    site.cosine = site.shrink = one;
-    light.n = light.square = zero;
-    for (c = 0; c < 3; ++c) light.light[c] = light.moment[c] = zero;
-    if (tilted) {
-        MS__V area, cap, reach;
-        MS__MASK sound; /* planes so steep that four pixels span a radius in depth have no tangent plane here */
-        int count = 4;
-        site.sx = MS__MUL(MS__MUL(dx, site.pixels_per_d), MS__SET(2.0f));
-        site.sy = MS__MUL(MS__MUL(dy, site.pixels_per_d), MS__SET(2.0f));
-        sound = MS__LESS(MS__MUL(MS__ADD(MS__ABS(site.sx), MS__ABS(site.sy)), MS__SET(0.5f * cells)), radius);
-        area = MS__SELECT(valid, MS__F(area)(site.sx, site.sy, rx, ry), one);
-        cap = MS__MIN(area, MS__SET(1.5f));
-        site.shrink = MS__DIV(one, cap);
-        site.cosine = MS__SELECT(sound, MS__DIV(one, area), zero);
-        site.rounding = MS__SET(s->plane_rounding);
-        if (!s->perspective) site.rounding = MS__MUL(d, site.rounding);
-        size = MS__MUL(radius, site.shrink);
-        norm = MS__MUL(MS__MUL(site.shrink, site.shrink), norm);
-        reach = MS__MUL(MS__MUL(cap, cap), MS__SET(square)); /* tilted surfaces take a wider circle */
-        while (count < s->taps && MS__BITS(MS__LESS(MS__SET(tap[count].square), reach))) ++count;
-        if (s->sums) MS__F(gather_sums)(s, 1, &site, coarse, tap, sum);
-        MS__F(gather_tilted)
-        (s, wide, &site, MS__MUL(MS__MUL(site.shrink, site.shrink), MS__SET(-1 / square)), coarse, tap, count, &light);
-        MS__F(elevate_gathered)(s, wide, &site, &light);
-    } else {
-        if (s->sums) MS__F(gather_sums)(s, 0, &site, coarse, tap, sum);
-        MS__F(gather_flat)(s, wide, &site, coarse, tap, &light);
-    }
-    MS__F(level_weights)(s, s->level + 1, 0, size, valid, index, weight);
+    site.sx = MS__MUL(MS__MUL(dx, site.pixels_per_d), MS__SET(2.0f));
+    site.sy = MS__MUL(MS__MUL(dy, site.pixels_per_d), MS__SET(2.0f));
+    sound = MS__LESS(MS__MUL(MS__ADD(MS__ABS(site.sx), MS__ABS(site.sy)), MS__SET(0.5f * cells)), radius);
+    area = MS__SELECT(valid, MS__F(area)(site.sx, site.sy, rx, ry), one);
+    cap = MS__MIN(area, MS__SET(1.5f));
+    site.shrink = MS__DIV(one, cap);
+    site.cosine = MS__SELECT(sound, MS__DIV(one, area), zero);
+    site.rounding = MS__SET(s->plane_rounding);
+    if (!s->perspective) site.rounding = MS__MUL(d, site.rounding);
+    norm = MS__MUL(MS__MUL(site.shrink, site.shrink), MS__SET(s->norm));
+    reach = MS__MUL(MS__MUL(cap, cap), MS__SET(square)); /* tilted surfaces take a wider circle */
+    while (count < s->taps && MS__BITS(MS__LESS(MS__SET(tap[count].square), reach))) ++count;
+    if (s->sums) MS__F(gather_sums)(s, &site, coarse, tap, sum);
+    MS__F(gather_light)
+    (s, wide, &site, MS__MUL(MS__MUL(site.shrink, site.shrink), MS__SET(-1 / square)), coarse, tap, count, &light);
+    MS__F(elevate_gathered)(s, wide, &site, &light);
+    MS__F(level_weights)(s, s->level + 1, 0, MS__MUL(radius, site.shrink), valid, index, weight);
     for (c = 0; c < 3; ++c) {
         result[c] = MS__SELECT(valid, MS__MADD(MS__MUL(weight[c], norm), light.light[c], sum[c]), zero);
         result[c + 3] = MS__SELECT(valid, MS__MADD(weight[c], MS__MUL(light.n, norm), sum[c + 3]), zero);
@@ -2413,30 +2334,25 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
    that level's own sums, bilinear. own: d and its changes; coarse: row y / 2, followed by planes of green, blue, d,
    coverage, three sums of light, three of weights; first, count: columns / 2; out: three sums of light, three of
    weights. */
-static MS_SSS__INLINE void MS__F(gather_row)(const ms_sss__pyramid_params *s, const int wide, const int tilted,
-                                             const float *const own[3], const float *coarse, int first, int count,
-                                             int y, float *const out[6])
+static MS_SSS__INLINE void MS__F(gather_row)(const ms_sss__pyramid_params *s, const int wide, const float *const own[3],
+                                             const float *coarse, int first, int count, int y, float *const out[6])
 {
     const float cells = (float)(1 << (s->level + 1));
     const MS__V ry = MS__SET((((float)y + 0.5f) * 0.5f * cells - s->middle[1]) * s->tangent);
     int i, c, odd, index = 0;
     for (i = first; i < count; i += MS__N) {
-        MS__V result[2][6];
-        const MS__V d0 = MS__LOAD(own[0] + 2 * i), d1 = MS__LOAD(own[0] + 2 * i + MS__N);
-        MS__V x0 = d0, x1 = d0, y0 = d0, y1 = d0;
-        if (tilted) {
-            x0 = MS__LOAD(own[1] + 2 * i);
-            x1 = MS__LOAD(own[1] + 2 * i + MS__N);
-            y0 = MS__LOAD(own[2] + 2 * i);
-            y1 = MS__LOAD(own[2] + 2 * i + MS__N);
+        MS__V result[2][6], at[3][2];
+        for (c = 0; c < 3; ++c) {
+            const MS__V near_by = MS__LOAD(own[c] + 2 * i), beyond = MS__LOAD(own[c] + 2 * i + MS__N);
+            at[c][0] = MS__EVEN(near_by, beyond);
+            at[c][1] = MS__ODD(near_by, beyond);
         }
         for (odd = 0; odd < 2; ++odd) {
             const MS__V rx = MS__MADD(
                 MS__LOAD(ms_sss__iota), MS__SET(cells * s->tangent),
                 MS__SET((((float)(2 * i + odd) + 0.5f) * 0.5f * cells - s->middle[0]) * s->tangent));
             MS__F(gather_side)
-            (s, wide, tilted, odd ? MS__ODD(d0, d1) : MS__EVEN(d0, d1), odd ? MS__ODD(x0, x1) : MS__EVEN(x0, x1),
-             odd ? MS__ODD(y0, y1) : MS__EVEN(y0, y1), coarse + i, s->tap[y & 1][odd], rx, ry, &index, result[odd]);
+            (s, wide, at[0][odd], at[1][odd], at[2][odd], coarse + i, s->tap[y & 1][odd], rx, ry, &index, result[odd]);
         }
         for (c = 0; c < 6; ++c) {
             MS__STORE(out[c] + 2 * i, MS__ZIP_LOW(result[0][c], result[1][c]));
@@ -2448,21 +2364,19 @@ static MS_SSS__INLINE void MS__F(gather_row)(const ms_sss__pyramid_params *s, co
 static void MS__F(gather)(const ms_sss__pyramid_params *s, const float *const own[3], const float *coarse, int first,
                           int count, int y, float *const out[6])
 {
-    if (!(s->slope_scale > 0)) MS__F(gather_row)(s, s->wide, 0, own, coarse, first, count, y, out);
-    else if (s->wide) MS__F(gather_row)(s, 1, 1, own, coarse, first, count, y, out);
-    else MS__F(gather_row)(s, 0, 1, own, coarse, first, count, y, out);
+    if (s->wide) MS__F(gather_row)(s, 1, own, coarse, first, count, y, out);
+    else MS__F(gather_row)(s, 0, own, coarse, first, count, y, out);
 }
 
 /* --- the picture's own level --- */
 
-/* A pixel's neighbors: light and weights by (1, 2, 1) / 4 both ways, of those near its tangent plane, and with slopes
-   elevated as by gather. radius: of the kernel in pixels. Elevation counts in full up to 10 pixels and not from 20 on:
+/* A pixel's neighbors: light and weights by (1, 2, 1) / 4 both ways, of those near its tangent plane, elevated as by
+   gather. radius: of the kernel in pixels. Elevation counts in full up to 10 pixels and not from 20 on:
    against random walks it takes 14.0 to 12.8% at 5.5 pixels and 10.5 to 10.0 at 11 (bust of skin), but adds 0.2 at 27
-   (knot of marble). check: masked pixels are left out by name. */
-static MS_SSS__INLINE void MS__F(gather_neighbors)(const ms_sss__pyramid_params *s, const int tilted, const int check,
-                                                   const float *const row[4], ptrdiff_t stride, int i, MS__V d,
-                                                   MS__V dx, MS__V dy, MS__V coverage, MS__V radius,
-                                                   MS__F(gathered) * sum)
+   (knot of marble). */
+static MS_SSS__INLINE void MS__F(gather_neighbors)(const ms_sss__pyramid_params *s, const float *const row[4],
+                                                   ptrdiff_t stride, int i, MS__V d, MS__V dx, MS__V dy, MS__V coverage,
+                                                   MS__V radius, MS__F(gathered) * sum)
 {
     /* Fourth roots of the weights 1, 2 over 16 are the tops of root - (off root' )^2, which is 0 from 2 pixels on. */
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), quarter = MS__SET(0.25f);
@@ -2483,56 +2397,51 @@ static MS_SSS__INLINE void MS__F(gather_neighbors)(const ms_sss__pyramid_params 
             const int diagonal = j && k;
             const ptrdiff_t at = i + k + j * stride;
             const MS__V there = MS__LOAD(row[3] + at);
-            MS__V off = MS__SUB(there, d), f, sine = zero;
+            MS__V off = MS__SUB(there, d), f, sine;
             if (!j && !k) continue;
-            if (tilted) off = MS__NMADD(MS__SET((float)k), dx, MS__NMADD(MS__SET((float)j), dy, off));
+            off = MS__NMADD(MS__SET((float)k), dx, MS__NMADD(MS__SET((float)j), dy, off));
             f = MS__MUL(off, diagonal ? corner : edge);
             f = MS__MAX(MS__NMADD(f, f, diagonal ? quarter : MS__SET(0.35355339f)), zero);
             f = MS__MUL(f, f);
-            if (check) f = MS__SELECT(MS__LESS(zero, MS__ABS(there)), f, zero);
+            f = MS__SELECT(MS__LESS(zero, MS__ABS(there)), f, zero);
             sum->n = MS__ADD(sum->n, f);
-            if (tilted) { /* sin(theta) over the distance of 1 or sqrt(2) pixels */
-                sine = MS__MUL(MS__F(residual)(MS__MUL(off, pixels_per_d), rounding), cosine);
-                sine = MS__F(bound)(MS__MUL(sine, MS__SET(diagonal ? 0.70710678f : 1.0f)), MS__SET(-1.0f), one);
-            }
+            /* sin(theta) over the distance of 1 or sqrt(2) pixels */
+            sine = MS__MUL(MS__F(residual)(MS__MUL(off, pixels_per_d), rounding), cosine);
+            sine = MS__F(bound)(MS__MUL(sine, MS__SET(diagonal ? 0.70710678f : 1.0f)), MS__SET(-1.0f), one);
             MS__UNROLL
             for (c = 0; c < 3; ++c) {
-                const MS__V w = tilted ? MS__F(elevate_weight)(s, c, sine, f) : f;
-                if (tilted) sum->moment[c] = MS__ADD(sum->moment[c], w);
+                const MS__V w = MS__F(elevate_weight)(s, c, sine, f);
+                sum->moment[c] = MS__ADD(sum->moment[c], w);
                 sum->light[c] = MS__MADD(w, MS__LOAD(row[c] + at), sum->light[c]);
             }
         }
-    for (c = 0; c < 3 && tilted; ++c)
+    for (c = 0; c < 3; ++c)
         sum->light[c] = MS__MUL(sum->light[c], MS__F(bounded)(sum->n, sum->moment[c], s->max_factor[c]));
 }
 
 /* Resolves the picture: a pixel's own light, that of its neighbors, and the sums. row: color and d, of rows stride
    floats apart; slope: coverage, then the changes of d; out: color, and depth (parallel rays: 0) or MASKED_DEPTH. */
-static MS_SSS__INLINE void MS__F(resolve_row)(const ms_sss__pyramid_params *s, const int tilted,
-                                              const float *const row[4], ptrdiff_t stride, const float *const slope[3],
-                                              const float *const sum[6], int first, int count, float *const out[4])
+static void MS__F(resolve)(const ms_sss__pyramid_params *s, const float *const row[4], ptrdiff_t stride,
+                           const float *const slope[3], const float *const sum[6], int first, int count,
+                           float *const out[4])
 {
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), masked = MS__SET(MS_SSS__MASKED_DEPTH);
-    const int check = !s->perspective || !s->depth_aware || s->step > 0.4f; /* else masked pixels are too deep */
     int i, c, index = 0;
     for (i = first; i < count; i += MS__N) {
         const MS__V d = MS__LOAD(row[3] + i);
         const MS__MASK valid = MS__LESS(zero, MS__ABS(d));
         const MS__V safe = MS__SELECT(valid, d, MS__SET(-1.0f)), radius = MS__F(radius)(s, safe);
-        MS__V share[6], size = radius, coverage = one, dx = zero, dy = zero;
+        const MS__V coverage = MS__LOAD(slope[0] + i),
+                    size = MS__DIV(radius, MS__F(bound)(coverage, one, MS__SET(1.5f)));
+        MS__V share[6];
         MS__F(gathered) near_by;
         MS__STORE(out[3] + i, MS__SELECT(valid, s->perspective ? MS__DIV(MS__SET(-1.0f), safe) : zero, masked));
         if (!MS__BITS(valid)) continue;
-        if (tilted) {
-            coverage = MS__LOAD(slope[0] + i);
-            dx = MS__LOAD(slope[1] + i);
-            dy = MS__LOAD(slope[2] + i);
-            size = MS__DIV(radius, MS__F(bound)(coverage, one, MS__SET(1.5f)));
-        }
         MS__F(level_weights)(s, 0, 1, size, valid, &index, share);
         near_by.n = near_by.light[0] = near_by.light[1] = near_by.light[2] = zero;
         if (MS__BITS(MS__LESS(zero, MS__MAX(share[3], MS__MAX(share[4], share[5])))) & MS__BITS(valid))
-            MS__F(gather_neighbors)(s, tilted, check, row, stride, i, d, dx, dy, coverage, radius, &near_by);
+            MS__F(gather_neighbors)
+        (s, row, stride, i, d, MS__LOAD(slope[1] + i), MS__LOAD(slope[2] + i), coverage, radius, &near_by);
         for (c = 0; c < 3; ++c) {
             const MS__V e = MS__LOAD(row[c] + i);
             const MS__V own = MS__MADD(share[c], e, MS__MUL(share[c + 3], near_by.light[c]));
@@ -2544,17 +2453,9 @@ static MS_SSS__INLINE void MS__F(resolve_row)(const ms_sss__pyramid_params *s, c
     }
 }
 
-static void MS__F(resolve)(const ms_sss__pyramid_params *s, const float *const row[4], ptrdiff_t stride,
-                           const float *const slope[3], const float *const sum[6], int first, int count,
-                           float *const out[4])
-{
-    if (s->slope_scale > 0) MS__F(resolve_row)(s, 1, row, stride, slope, sum, first, count, out);
-    else MS__F(resolve_row)(s, 0, row, stride, slope, sum, first, count, out);
-}
-
-static const ms_sss__simd MS__F(simd) = {MS__F(unpack),     MS__F(mask_by),     MS__F(load_masked),      MS__F(slopes),
-                                         MS__F(tangents),   MS__F(taps),        MS__F(combine),          MS__F(finish),
-                                         MS__F(depth_to_d), MS__F(slopes_of_d), MS__F(downsample_level), MS__F(gather),
+static const ms_sss__simd MS__F(simd) = {MS__F(unpack),     MS__F(mask_by),     MS__F(load_masked), MS__F(slopes),
+                                         MS__F(tangents),   MS__F(taps),        MS__F(combine),     MS__F(finish),
+                                         MS__F(depth_to_d), MS__F(slopes_of_d), MS__F(downsample),  MS__F(gather),
                                          MS__F(resolve)};
 
 #undef MS_SSS__JOIN_
@@ -3368,9 +3269,7 @@ static void ms_sss__pyramid_clear(void *context, int task)
     const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
     const ms_sss__level *v = &state->level[state->at];
     const int right = (int)v->stride - MS_SSS__LEFT, margin = MS_SSS__PYRAMID_MARGIN;
-    const int planes = state->at == 0   ? (int)MS_SSS__D + 1
-        : state->params.slope_scale > 0 ? (int)MS_SSS__PYRAMID_PLANES
-                                        : (int)MS_SSS__CHANGES;
+    const int planes = state->at == 0 ? (int)MS_SSS__D + 1 : (int)MS_SSS__PYRAMID_PLANES;
     int y, i, c;
     for (y = ms_sss__band_begin(&state->job, task); y < ms_sss__band_end(&state->job, task); ++y) {
         int low = right, high = -MS_SSS__LEFT, first = v->row[y].first, last = v->row[y].last;
@@ -3404,7 +3303,7 @@ static void ms_sss__pyramid_four_rows(const ms_sss__pyramid_state *state, int ta
             row[i][c] = state->at > 0 || c < 4
                 ? fine->plane[c < 5 ? c : (int)MS_SSS__CHANGES + c - 5] + at * fine->stride
                 : NULL;
-        if (state->at > 0 || !(state->params.slope_scale > 0)) continue;
+        if (state->at > 0) continue;
         for (c = 0; c < 3; ++c) row[i][4 + c] = slope[c] = ms_sss__pyramid_row(state, task, 3 * (at & 3) + c);
         if (!fresh && i < 2) continue;
         for (c = 0; c < 3; ++c) memset(slope[c] - MS_SSS__LEFT, 0, (size_t)fine->stride * sizeof(float));
@@ -3440,7 +3339,7 @@ static void ms_sss__pyramid_down(void *context, int task)
         ms_sss__pyramid_four_rows(state, task, y, y == begin, row);
         if (first >= last) continue;
         for (i = 0; i < 7; ++i) out[i] = v->plane[i < 5 ? i : (int)MS_SSS__CHANGES + i - 5] + y * v->stride;
-        state->job.simd->downsample_level(&params, row, first, last, out);
+        state->job.simd->downsample(&params, row, first, last, out);
         for (i = 0; i < 7; ++i)
             for (c = v->width; c < last; ++c) out[i][c] = 0;
     }
@@ -3472,7 +3371,6 @@ static void ms_sss__pyramid_up(void *context, int task)
     const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
     const ms_sss__job *job = &state->job;
     const ms_sss__level *v = &state->level[state->at], *coarse = v + 1;
-    const int tilted = state->params.slope_scale > 0;
     int y, i;
     for (y = ms_sss__band_begin(job, task); y < ms_sss__band_end(job, task); ++y) {
         const int low = v->row[y].first, high = v->row[y].last;
@@ -3485,7 +3383,7 @@ static void ms_sss__pyramid_up(void *context, int task)
         own[0] = v->plane[MS_SSS__D] + y * v->stride;
         for (i = 0; i < 3; ++i) slope[i] = ms_sss__pyramid_row(state, task, 6 + i);
         for (i = 1; i < 3; ++i) own[i] = state->at > 0 ? v->plane[MS_SSS__CHANGES + i - 1] + y * v->stride : slope[i];
-        if (state->at == 0 && tilted) {
+        if (state->at == 0) {
             ms_sss__pyramid_slopes(state, task, y, low, high, slope);
             for (i = 0; i < 3; ++i) {
                 ms_sss__fill(slope[i], first, low, 0);
@@ -3527,7 +3425,6 @@ static void ms_sss__pyramid_sort_taps(ms_sss__pyramid_params *params, ms_sss__ga
                 t.x = (x ? -3.25f : -3.75f) + (float)(i % 8);
                 t.y = (y ? -3.25f : -3.75f) + (float)(i / 8);
                 t.square = t.x * t.x + t.y * t.y;
-                t.rest = 1 - t.square / MS_SSS__GATHER(params->wide, params->level);
                 if (!params->wide && (t.x < -3 || t.x > 3 || t.y < -3 || t.y > 3)) continue;
                 for (j = n++; j > 0 && tap[y][x][j - 1].square > t.square; --j) tap[y][x][j] = tap[y][x][j - 1];
                 tap[y][x][j] = t;
@@ -3543,20 +3440,17 @@ static void ms_sss__pyramid_tap_sums(ms_sss__pyramid_params *params, int level)
     const double coarse = 0.5 * (1 - pow(4, -level - 1)), fine = 0.125 * (1 - pow(4, -level));
     double n = 0, r1 = 0, r2 = 0, r4 = 0;
     int i;
-    params->core = 0;
     for (i = 0; i < 64; ++i) {
         const double x = i % 8 - 3.75, y = i / 8 - 3.75,
                      t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER(params->wide, level),
                      w = t > 0 ? t * t * (params->wide ? t : 1) : 0;
         const double r = x * x + y * y + coarse - fine;
-        params->core += t > 0;
         n += w;
         r1 += w * sqrt(x * x + y * y + coarse);
         r2 += w * r;
         r4 += w * r * r;
     }
     params->level = level;
-    params->inner = 1 / sqrtf(MS_SSS__GATHER(params->wide, level));
     params->norm = (float)(1 / n);
     params->mean = (float)(r1 / r2);
     params->spread = (float)(r2 / r4);
@@ -3603,7 +3497,8 @@ static void ms_sss__pyramid_set_params(ms_sss__pyramid_params *params, const ms_
         : params->reach + (1.5f - 0.7686f) * (1 - o->flat); /* the reach of a gather */
     for (c = 0; c < 3; ++c) {
         params->elevation_4[c] = pyramid->elevation[c] * (params->slope_scale / 4);
-        params->max_factor[c] = pyramid->reflectance[c] > 0 ? 1 / pyramid->reflectance[c] : 1;
+        params->max_factor[c] = pyramid->reflectance[c] > 0 && pyramid->reflectance[c] < 1 ? 1 / pyramid->reflectance[c]
+                                                                                           : 1;
     }
 }
 

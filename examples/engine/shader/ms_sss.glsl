@@ -486,7 +486,8 @@ float4 filter_pixel(int2 pixel) {
     float2 focal = FOCAL / side();
     float2 slopes = SLOPE_SCALE * slopes_of(p, own, focal, sqrt(REACH(at)) / DEPTH_SCALE(at));
     float slope = dot(axis, slopes);
-    pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);
+    float2 across = axis + slope * ray;
+    pixels = pixels / sqrt(dot(across, across) + slope * slope);
     // The plane's depth a column and a row; in perspective relative to the depth of the texel that is compared with it.
     float2 plane = slopes / focal;
     float mm = FOCAL.x / (PIXELS_PER_MM * DEPTH_SCALE(at)); // of a unit of dz

@@ -47,7 +47,8 @@ float4 filter_pixel(int2 pixel) {
         float2 away = float2(r * cos(angle) * lengths.x - shear * b, b) * pixels * ASPECT;
         int2 beside = int2(int(floor(away.x + 0.5)), int(floor(away.y + 0.5)));
         float4 there = texel(p + beside);
-        // As in X and Y: the height over the plane, the weight by it, and the factor of the elevation.
+        // As in X and Y: the height over the plane, the weight by it, and the factor of the elevation, but by each
+        // sample's own height: none lies further out on its line, and turned rings average what a mesh adds.
         float dz = there.a - own.a - dot(plane, float2(float(beside.x), float(beside.y))) * relative(there.a);
         dz = dz * DEPTH_SCALE(at);
         if (!(same(there, own) && dz * dz < 1.0)) { continue; }

@@ -112,7 +112,8 @@ fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
     var focal: vec2<f32> = ms_sss.v[2].yz / side();
     var slopes: vec2<f32> = ms_sss.v[2].w * slopes_of(p, own, focal, sqrt(ms_sss.v[at + 4].w) / ms_sss.v[at + 1].w);
     var slope: f32 = dot(axis, slopes);
-    pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);
+    var across: vec2<f32> = axis + slope * ray;
+    pixels = pixels / sqrt(dot(across, across) + slope * slope);
     // The plane's depth a column and a row; in perspective relative to the depth of the texel that is compared with it.
     var plane: vec2<f32> = slopes / focal;
     var mm: f32 = ms_sss.v[2].yz.x / (ms_sss.v[0].z * ms_sss.v[at + 1].w); // of a unit of dz
