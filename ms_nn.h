@@ -1190,15 +1190,41 @@ static MS_NN__COLD int ms_nn__compare_key(const void *first, const void *second)
     return strcmp((*(const ms_nn_entry *const *)first)->key, (*(const ms_nn_entry *const *)second)->key);
 }
 
+static MS_NN__COLD void ms_nn__swap(unsigned char *a, unsigned char *b, size_t size)
+{
+    while (size-- > 0) {
+        const unsigned char kept = *a;
+        *a++ = *b;
+        *b++ = kept;
+    }
+}
+
+/* Heap sort, for qsort may allocate: no recursion, O(n log n) for any input. */
+static MS_NN__COLD void ms_nn__sort(void *items, size_t count, size_t size, int (*compare)(const void *, const void *))
+{
+    unsigned char *at = (unsigned char *)items;
+    size_t start = count / 2, end = count;
+    while (end > 1) {
+        size_t root, child;
+        if (start > 0) --start;
+        else ms_nn__swap(at, at + --end * size, size);
+        for (root = start; (child = 2 * root + 1) < end; root = child) {
+            if (child + 1 < end && compare(at + child * size, at + (child + 1) * size) < 0) ++child;
+            if (compare(at + root * size, at + child * size) >= 0) break;
+            ms_nn__swap(at + root * size, at + child * size, size);
+        }
+    }
+}
+
 /* Names and keys once each; the data without holes or overlaps from 0 to its end. */
 static MS_NN__COLD ms_status ms_nn__file_check(ms_nn_file *f, size_t data_start, size_t data_size, ms_error *error)
 {
     size_t i, end = 0;
-    qsort(f->record, f->tensors, sizeof f->record[0], ms_nn__compare_data);
+    ms_nn__sort(f->record, f->tensors, sizeof f->record[0], ms_nn__compare_data);
     for (i = 0; i < f->tensors; ++i) f->by_name[i] = &f->record[i];
     for (i = 0; i < f->entries; ++i) f->by_key[i] = &f->entry[i];
-    qsort(f->by_name, f->tensors, sizeof f->by_name[0], ms_nn__compare_name);
-    qsort(f->by_key, f->entries, sizeof f->by_key[0], ms_nn__compare_key);
+    ms_nn__sort(f->by_name, f->tensors, sizeof f->by_name[0], ms_nn__compare_name);
+    ms_nn__sort(f->by_key, f->entries, sizeof f->by_key[0], ms_nn__compare_key);
     for (i = 1; i < f->tensors; ++i)
         if (ms_nn__compare_name(&f->by_name[i - 1], &f->by_name[i]) == 0)
             return ms__fail(error, MS_BAD_DATA, f->by_name[i]->position, "two tensors have the name '%s'",
