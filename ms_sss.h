@@ -308,12 +308,8 @@ MS_API void ms_sss_profile_value(const ms_sss_profile *profile, double r_mm, dou
 /* Light that leaves within distance r, integral over the disc. */
 MS_API void ms_sss_profile_disc(const ms_sss_profile *profile, double r_mm, double out[3]);
 
-/* The pre-integrated kernel a_p(x) = integral of R_d(sqrt(x^2 + y^2)) over all y, 1/mm (5.4), in closed form: exact
-   chords of the rings, Gaussians, K0 for Burley (infinite at x = 0). Not normalized: its integral is the
-   reflectance. */
-MS_API void ms_sss_profile_line(const ms_sss_profile *profile, double x_mm, double out[3]);
-
-/* Integral of a_p from -x to x, in closed form. */
+/* Light that leaves within x of a line through the entry: the integral from -x to x of the pre-integrated kernel
+   a_p(x) = integral of R_d(sqrt(x^2 + y^2)) over all y (5.4), in closed form. */
 MS_API void ms_sss_profile_strip(const ms_sss_profile *profile, double x_mm, double out[3]);
 
 /* Radius that holds this fraction (0 to 1) of each channel's light, to 1e-9 of itself; 0 for an empty channel. */
@@ -405,17 +401,6 @@ MS_API void ms_sss_designer_destroy(ms_sss_designer *designer);
    MS_INVALID_ARGUMENT: an option outside its range (the message names it). MS_OUT_OF_MEMORY. kernel untouched then. */
 MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *designer,
                                      const ms_sss_kernel_options *options, ms_error *error);
-
-/* The two-Gaussian model (5.6): standard deviations, and the share of the near Gaussian, 0 to 1. Its kernel is the
-   pre-integrated one of ms_sss_profile_from_gaussians. */
-typedef struct ms_sss_artist {
-    double sigma_near_mm[3], sigma_far_mm[3];
-    double near_weight[3];
-} ms_sss_artist;
-
-/* The model of least squares to a_p, for artists to start from. A channel without light: near_weight 1 and sigmas of a
-   thousandth of a cell. MS_INVALID_ARGUMENT: a NULL. */
-MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *designer, ms_sss_artist *artist);
 
 /* ---- errors ---------------------------------------------------------------------------------------------------- */
 
@@ -541,7 +526,7 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
    strength is 0 or NaN, or the profile has no kernel. No light passes between masked and other pixels, or between
    profiles. The effect fades from kernels with a radius of a pixel to those of half a pixel, from where on pixels keep
    their bits. Results are bit-equal for any thread count at one SIMD level, across levels within 4e-6 of the largest
-   pixel of input and output, typically 1e-6.
+   pixel of input and output (1e-5: a pyramid with normals that belong to no surface), typically 1e-6.
    MS_INVALID_ARGUMENT: a pointer, size, stride, option or kernel out of range. MS_OUT_OF_MEMORY: only without a
    workspace. Nothing is written then. Thesis 5.5, 5.10. */
 MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
@@ -4147,23 +4132,12 @@ static double ms_sss__descend(const ms_sss__squares *p, double *x, int rounds, d
     return least;
 }
 
-/* K_0(x) and the Bickley function Ki_1(x), the integral of K_0 from x to infinity: the trapezoidal rule on
-   exp(-x cosh u) and exp(-x cosh u) / cosh u. Their poles limit its error to exp(-pi^2 / step), their width 1/sqrt(x)
-   to exp(-2 pi^2 / (x step^2)): below rounding for this step. */
-static double ms_sss__bessel_step(double x) { return x > 7 ? 0.66 / sqrt(x) : 0.25; }
-
-static double ms_sss__bessel_k0(double x)
-{
-    double sum = 0.5 * exp(-x), step = ms_sss__bessel_step(x), term;
-    int i;
-    if (!(x > 0)) return HUGE_VAL;
-    for (i = 1; (term = exp(-x * cosh(step * i))) > 1e-18 * sum && i < 4000; ++i) sum += term;
-    return step * sum;
-}
-
+/* The Bickley function Ki_1(x), the integral of K_0 from x to infinity: the trapezoidal rule on exp(-x cosh u) / cosh u.
+   Its poles limit the error to exp(-pi^2 / step), its width 1/sqrt(x) to exp(-2 pi^2 / (x step^2)): below rounding for
+   this step. */
 static double ms_sss__bickley_1(double x)
 {
-    double sum = 0.5 * exp(-x), step = ms_sss__bessel_step(x), term = 1;
+    double sum = 0.5 * exp(-x), step = x > 7 ? 0.66 / sqrt(x) : 0.25, term = 1;
     int i;
     for (i = 1; term > 1e-18 * sum && i < 4000; ++i) {
         double c = cosh(step * i);
@@ -4486,41 +4460,6 @@ static double ms_sss__extent(const ms_sss_profile *p, double total[3], double ra
 }
 
 /* ---- pre-integration ------------------------------------------------------------------------------------------- */
-
-/* The chord at distance x through R_d = mean + slope (x^2 + u^2 - middle): 2 times the integral over u from 0. */
-static double ms_sss__chord(double mean, double slope, double u) { return 2 * u * (mean + slope * u * u / 3); }
-
-MS_SSS__COLD MS_API void ms_sss_profile_line(const ms_sss_profile *p, double x, double out[3])
-{
-    int c, i;
-    if (p == NULL || out == NULL) return;
-    x = fabs(x);
-    for (c = 0; c < 3; ++c) {
-        out[c] = 0;
-        if (p->kind == MS_SSS__RINGS) {
-            double u0 = 0;
-            i = ms_sss__ring_of(p, x);
-            if (i < 0) {
-                i = 0;
-                u0 = sqrt((p->ring[0].edge - x) * (p->ring[0].edge + x));
-            }
-            for (; i < p->count; ++i) { /* r = sqrt(x^2 + u^2) runs over the ring as u runs from u0 to u1 */
-                const double u1 = sqrt((p->ring[i + 1].edge - x) * (p->ring[i + 1].edge + x));
-                const double slope = p->ring[i].slope[c];
-                const double mean = p->ring[i].mean[c] + slope * (x * x - ms_sss__middle2(p, i));
-                out[c] += ms_sss__chord(mean, slope, u1) - ms_sss__chord(mean, slope, u0);
-                u0 = u1;
-            }
-            continue;
-        }
-        for (i = 0; i < p->count; ++i) { /* the integral of exp(-r/d)/r along a line is 2 K_0(x/d) */
-            double s = p->length[i][c], w = p->weight[i][c];
-            if (p->kind == MS_SSS__GAUSSIANS) out[c] += w * exp(-x * x / (2 * s * s)) / (s * sqrt(2 * MS_SSS__PI));
-            else if (w > 0)
-                out[c] = w * (ms_sss__bessel_k0(x / s) + ms_sss__bessel_k0(x / (3 * s))) / (4 * MS_SSS__PI * s);
-        }
-    }
-}
 
 MS_SSS__COLD MS_API void ms_sss_profile_strip(const ms_sss_profile *p, double x, double out[3])
 {
@@ -5517,19 +5456,19 @@ static double ms_sss__artist_squares(const ms_sss__squares *p, double *x, double
     return value;
 }
 
-/* out: sigma of the near and of the far one, cells, and the near one's share. */
-static void ms_sss__fit_near_far(const ms_sss_designer *d, int c, const double *ap, double out[3])
+/* Replaces a_p by the two Gaussians of least squares to it. */
+static void ms_sss__fit_artist(const ms_sss_designer *d, int c, double *ap)
 {
-    double x[3] = {0, 0, 0.5}, scratch[MS_SSS__DESCEND_SCRATCH(3)];
+    double x[3] = {0, 0, 0.5}, near_cells[MS_SSS__ROW_MAX], far_cells[MS_SSS__ROW_MAX], slope[MS_SSS__ROW_MAX];
+    double scratch[MS_SSS__DESCEND_SCRATCH(3)];
     const ms_sss__squares problem = {ms_sss__artist_squares, d, 3, 0, ap, 0, NULL};
-    int far_first;
+    int i;
     x[0] = log(d->width[c] / 20 + 0.2);
     x[1] = log(d->width[c] / 3 + 0.4);
     ms_sss__descend(&problem, x, 100, 1e-12, scratch);
-    far_first = x[0] > x[1];
-    out[0] = exp(x[far_first]);
-    out[1] = exp(x[!far_first]);
-    out[2] = far_first ? 1 - x[2] : x[2];
+    ms_sss__gaussian_cells(exp(x[0]), d->cells, near_cells, slope);
+    ms_sss__gaussian_cells(exp(x[1]), d->cells, far_cells, slope);
+    for (i = 0; i <= d->cells; ++i) ap[i] = x[2] * near_cells[i] + (1 - x[2]) * far_cells[i];
 }
 
 /* Guided optimization (5.14): least sum over i, j >= 1 of Gamma_ij (K_ij - a_i a_j)^2, x being a_1 and on. Gamma
@@ -5616,11 +5555,7 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
         } else if (o->model == MS_SSS_GUIDED) {
             status = ms_sss__guided(d, c, o->guide_k, w);
         } else if (o->model == MS_SSS_ARTIST) {
-            double fit[3], far_cells[MS_SSS__ROW_MAX];
-            ms_sss__fit_near_far(d, c, w, fit);
-            ms_sss__gaussian_cells(fit[0], M, w, slope);
-            ms_sss__gaussian_cells(fit[1], M, far_cells, slope);
-            for (i = 0; i <= M; ++i) w[i] = fit[2] * w[i] + (1 - fit[2]) * far_cells[i];
+            ms_sss__fit_artist(d, c, w);
         } else if (o->model == MS_SSS_SLICE) {
             memcpy(w, d->slice[c], sizeof *w * (size_t)(M + 1));
         }
@@ -5814,22 +5749,6 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const m
     }
     ms__release(&d->allocator, dense, bytes);
     return status == MS_OK ? MS_OK : ms__fail(error, status, 0, "no memory to fit a kernel");
-}
-
-MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *d, ms_sss_artist *artist)
-{
-    double ap[MS_SSS__ROW_MAX];
-    int c;
-    if (d == NULL || artist == NULL) return MS_INVALID_ARGUMENT;
-    for (c = 0; c < 3; ++c) {
-        double fit[3] = {1e-3, 1e-3, 1};
-        ms_sss__row_sums(d, c, ap);
-        if (d->reflectance[c] > 0) ms_sss__fit_near_far(d, c, ap, fit);
-        artist->sigma_near_mm[c] = fit[0] * d->cell_mm;
-        artist->sigma_far_mm[c] = fit[1] * d->cell_mm;
-        artist->near_weight[c] = fit[2];
-    }
-    return MS_OK;
 }
 
 MS_SSS__COLD MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors,
