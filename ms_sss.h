@@ -871,7 +871,8 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #define MS_SSS__COLD
 #endif
 
-#define MS_SSS__REFUSE(error, ...) ms__fail(error, MS_INVALID_ARGUMENT, 0, __VA_ARGS__)
+#define MS_SSS__REFUSE_AT(error, index, ...) ms__fail(error, MS_INVALID_ARGUMENT, (size_t)(index), __VA_ARGS__)
+#define MS_SSS__REFUSE(error, ...) MS_SSS__REFUSE_AT(error, 0, __VA_ARGS__)
 
 /* A number of the caller and its range; NaN is outside of any. */
 typedef struct ms_sss__range {
@@ -897,30 +898,28 @@ static MS_SSS__COLD ms_status ms_sss__check_kernel(const ms_sss_kernel *k, int i
 {
     int i, c, t;
     if (k->tap_count < 1 || k->tap_count > MS_SSS_TAPS_MAX || k->tap_count % 2 == 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                        "kernel %d: tap_count %d is not an odd number from 1 to %d", index, k->tap_count,
-                        MS_SSS_TAPS_MAX);
+        return MS_SSS__REFUSE_AT(error, index, "kernel %d: tap_count %d is not an odd number from 1 to %d", index,
+                                 k->tap_count, MS_SSS_TAPS_MAX);
     if (k->term_count < 1 || k->term_count > MS_SSS_TERMS_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: term_count %d is not within 1 to %d",
-                        index, k->term_count, MS_SSS_TERMS_MAX);
+        return MS_SSS__REFUSE_AT(error, index, "kernel %d: term_count %d is not within 1 to %d", index, k->term_count,
+                                 MS_SSS_TERMS_MAX);
     if (!ms_sss__positive(k->radius_mm))
-        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: radius_mm %g is not positive", index,
-                        (double)k->radius_mm);
+        return MS_SSS__REFUSE_AT(error, index, "kernel %d: radius_mm %g is not positive", index, (double)k->radius_mm);
     for (i = 0; i <= k->tap_count / 2; ++i) {
         if (!ms__finite_f(k->offset_mm[i]) || k->offset_mm[i] < 0 || (i == 0 && k->offset_mm[0] > 0))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                            "kernel %d: offset_mm[%d] is %g; entry 0 must be 0, all finite and none below 0", index, i,
-                            (double)k->offset_mm[i]);
+            return MS_SSS__REFUSE_AT(error, index,
+                                     "kernel %d: offset_mm[%d] is %g; entry 0 must be 0, all finite and none below 0",
+                                     index, i, (double)k->offset_mm[i]);
         for (t = 0; t < k->term_count; ++t)
             for (c = 0; c < 3; ++c)
                 if (!ms__finite_f(k->weight[t][i][c]) || !ms__finite_f(k->scale[t][c]) || !ms__finite_f(k->delta[c]))
-                    return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                                    "kernel %d: term %d, entry %d, channel %d is not finite", index, t, i, c);
+                    return MS_SSS__REFUSE_AT(error, index, "kernel %d: term %d, entry %d, channel %d is not finite",
+                                             index, t, i, c);
     }
     for (c = 0; c < 3; ++c)
         if (!(fabsf(k->elevation[c]) <= 1e6f && fabsf(k->elevation_axis[c]) <= 1e6f))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                            "kernel %d: elevation[%d] or elevation_axis[%d] is beyond 1e6", index, c, c);
+            return MS_SSS__REFUSE_AT(error, index, "kernel %d: elevation[%d] or elevation_axis[%d] is beyond 1e6",
+                                     index, c, c);
     return MS_OK;
 }
 
@@ -3606,13 +3605,13 @@ static MS_SSS__COLD ms_status ms_sss__check_pyramid(const ms_sss_pyramid *p, int
     const float *weight = &p->weight[0][0][0][0][0];
     size_t i;
     if (!ms_sss__positive(p->radius_mm))
-        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                        "pyramid %d: radius_mm %g is not positive; ms_sss_pyramid_make fills a pyramid", index,
-                        (double)p->radius_mm);
+        return MS_SSS__REFUSE_AT(error, index,
+                                 "pyramid %d: radius_mm %g is not positive; ms_sss_pyramid_make fills a pyramid", index,
+                                 (double)p->radius_mm);
     for (i = 0; i < sizeof p->weight / sizeof(float); ++i)
         if (!(weight[i] >= 0 && weight[i] <= 2))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "pyramid %d: weight %d is %g; 0 to 1 expected",
-                            index, (int)i, (double)weight[i]);
+            return MS_SSS__REFUSE_AT(error, index, "pyramid %d: weight %d is %g; 0 to 1 expected", index, (int)i,
+                                     (double)weight[i]);
     return MS_OK;
 }
 
@@ -3641,18 +3640,24 @@ static MS_SSS__COLD ms_status ms_sss__check_scale(const ms_sss_frame *f, const m
                           radius_mm);
 }
 
-/* Checks what both filters share and begins the job; its memory is taken afterwards. least_mm: the smallest radius. */
-static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame,
-                                            const ms_sss_filter_options *options, double least_mm, ms_error *error)
+/* Checks what both filters share, whose kernels or pyramids are `of`, and begins the job; its memory is taken
+   afterwards. */
+static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, const char *name,
+                                            const void *of, int count, const ms_sss_filter_options *options,
+                                            ms_error *error)
 {
     const ms_sss_image *from = &job->frame.input, *to = &job->frame.output;
     ms_status status;
+    if (!frame) return MS_SSS__REFUSE(error, "frame is NULL");
+    if (!of) return MS_SSS__REFUSE(error, "%ss is NULL", name);
+    if (!options) return MS_SSS__REFUSE(error, "options is NULL");
+    if (count < 1 || count > 256) return MS_SSS__REFUSE(error, "%s_count %d is not within 1 to 256", name, count);
     memset(job, 0, sizeof *job);
     job->frame = *frame;
     job->options = *options;
-    if ((status = ms_sss__check_options(options, error)) != MS_OK ||
-        (status = ms_sss__check_frame(&job->frame, options->fov_degrees > 0, error)) != MS_OK ||
-        (status = ms_sss__check_scale(&job->frame, options, least_mm, error)) != MS_OK)
+    if ((status = ms_sss__check_sides(frame->width, frame->height, error)) != MS_OK ||
+        (status = ms_sss__check_options(options, error)) != MS_OK ||
+        (status = ms_sss__check_frame(&job->frame, options->fov_degrees > 0, error)) != MS_OK)
         return status;
     job->view = ms_sss__make_view(options, frame->width, frame->height);
     job->simd = ms_sss__pick(options->simd);
@@ -3751,17 +3756,12 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
     ms_status status;
     void *owned;
     int i, least = 0;
-    if (!frame) return MS_SSS__REFUSE(error, "frame is NULL");
-    if (!kernels) return MS_SSS__REFUSE(error, "kernels is NULL");
-    if (!options) return MS_SSS__REFUSE(error, "options is NULL");
-    if ((status = ms_sss__check_sides(frame->width, frame->height, error)) != MS_OK) return status;
-    if (kernel_count < 1 || kernel_count > 256)
-        return MS_SSS__REFUSE(error, "kernel_count %d is not within 1 to 256", kernel_count);
-    for (i = 0; i < kernel_count; ++i) {
-        if ((status = ms_sss__check_kernel(&kernels[i], i, error)) != MS_OK) return status;
+    status = ms_sss__begin(&job, frame, "kernel", kernels, kernel_count, options, error);
+    for (i = 0; i < kernel_count && status == MS_OK; ++i) {
+        status = ms_sss__check_kernel(&kernels[i], i, error);
         if (kernels[i].radius_mm < kernels[least].radius_mm) least = i;
     }
-    status = ms_sss__begin(&job, frame, options, (double)kernels[least].radius_mm, error);
+    if (status == MS_OK) status = ms_sss__check_scale(&job.frame, options, (double)kernels[least].radius_mm, error);
     if (status == MS_OK)
         status = ms_sss__get_workspace(
             workspace, workspace_size,
@@ -3810,18 +3810,13 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
     ms_status status;
     void *owned;
     int i, least = 0;
-    if (!frame) return MS_SSS__REFUSE(error, "frame is NULL");
-    if (!pyramids) return MS_SSS__REFUSE(error, "pyramids is NULL");
-    if (!options) return MS_SSS__REFUSE(error, "options is NULL");
-    if ((status = ms_sss__check_sides(frame->width, frame->height, error)) != MS_OK) return status;
-    if (pyramid_count < 1 || pyramid_count > 256)
-        return MS_SSS__REFUSE(error, "pyramid_count %d is not within 1 to 256", pyramid_count);
-    for (i = 0; i < pyramid_count; ++i) {
-        if ((status = ms_sss__check_pyramid(&pyramids[i], i, error)) != MS_OK) return status;
+    status = ms_sss__begin(&job, frame, "pyramid", pyramids, pyramid_count, options, error);
+    for (i = 0; i < pyramid_count && status == MS_OK; ++i) {
+        status = ms_sss__check_pyramid(&pyramids[i], i, error);
         if (pyramids[i].radius_mm < pyramids[least].radius_mm) least = i;
     }
-    if ((status = ms_sss__begin(&job, frame, options, (double)pyramids[least].radius_mm, error)) != MS_OK)
-        return status;
+    if (status == MS_OK) status = ms_sss__check_scale(&job.frame, options, (double)pyramids[least].radius_mm, error);
+    if (status != MS_OK) return status;
     if (job.view.aspect[1] < 1 || job.view.aspect[1] > 1)
         return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round: pixels_per_mm %g and %g differ",
                         (double)options->pixels_per_mm[0], (double)options->pixels_per_mm[1]);
@@ -3941,11 +3936,12 @@ static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_ss
     if (ms_sss__differ(shader->rotation, 0) || shader->jitter > 0 || (a[1] > 0 && ms_sss__differ(a[0], a[1])))
         return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round, without rotation or jitter");
     if (!pyramid) return MS_SSS__REFUSE(error, "shader->pyramids is NULL");
-    if (profile < 0 || profile >= ms_sss__shader_profiles(shader))
-        return MS_SSS__REFUSE(error, "profile %d is not within the shader's %d", profile,
-                              ms_sss__shader_profiles(shader));
-    if (level < 0 || level >= levels)
-        return MS_SSS__REFUSE(error, "level %d is not within the picture's %d", level, levels);
+    {
+        const ms_sss__range ranges[] = {{"profile", profile, 0, ms_sss__shader_profiles(shader) - 1},
+                                        {"level", level, 0, levels - 1}};
+        const ms_status status = ms_sss__check_ranges(ranges, 2, error);
+        if (status != MS_OK) return status;
+    }
     pyramid += profile;
     ms_sss__pyramid_kernel(pyramid, &kernel);
     round.flat = 1;
@@ -4025,9 +4021,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
     for (i = 0; i < count; ++i) { /* all are checked before anything is written */
         if ((status = ms_sss__check_kernel(&kernels[i], i, error)) != MS_OK) return status;
         if (kernels[i].tap_count > shader->tap_count)
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
-                            "kernel %d has %d taps, more than the shader's tap_count %d", i, kernels[i].tap_count,
-                            shader->tap_count);
+            return MS_SSS__REFUSE_AT(error, i, "kernel %d has %d taps, more than the shader's tap_count %d", i,
+                                     kernels[i].tap_count, shader->tap_count);
         if ((status = ms_sss__check_stairs(&kernels[i], options, width, height, shader, error)) != MS_OK) return status;
         if (kernels[i].term_count > terms) terms = kernels[i].term_count;
     }
@@ -4233,15 +4228,15 @@ static MS_SSS__COLD ms_status ms_sss__check_table(int count, int least, const do
     if (stride < 1) return MS_SSS__REFUSE(error, "stride is %d; 0 or more expected", stride);
     for (i = 0; i < radii; ++i)
         if (!ms__finite(radius[i]) || radius[i] < 0 || radius[i] > 1e9 || (i > 0 && radius[i] - radius[i - 1] < 1e-9))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
-                            "radius %d is %g mm; finite, 0 to 1e9, and increasing by 1e-9 at least expected", i,
-                            radius[i]);
+            return MS_SSS__REFUSE_AT(error, i,
+                                     "radius %d is %g mm; finite, 0 to 1e9, and increasing by 1e-9 at least expected",
+                                     i, radius[i]);
     for (i = 0; i < count; ++i)
         for (c = 0; c < 3; ++c) {
             double v = value[c][(size_t)i * (size_t)stride];
             if (!ms__finite(v) || v < 0 || v > 1e30)
-                return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
-                                "R_d of row %d, channel %d is %g; finite, 0 to 1e30 expected", i, c, v);
+                return MS_SSS__REFUSE_AT(error, i, "R_d of row %d, channel %d is %g; finite, 0 to 1e30 expected", i, c,
+                                         v);
         }
     return MS_OK;
 }
@@ -4323,9 +4318,9 @@ static MS_SSS__COLD ms_status ms_sss__from_lengths(ms_sss_profile **profile, ms_
     for (i = 0; i < count; ++i)
         for (c = 0; c < 3; ++c)
             if (!(length[i][c] >= 1e-9 && length[i][c] <= 1e9 && weight[i][c] >= 0 && weight[i][c] <= 1e9))
-                return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)(burley ? c : i),
-                                "entry %d, channel %d: %s %g, %s %g; 1e-9 to 1e9 and 0 to 1e9 expected", i, c,
-                                length_name, length[i][c], weight_name, weight[i][c]);
+                return MS_SSS__REFUSE_AT(error, burley ? c : i,
+                                         "entry %d, channel %d: %s %g, %s %g; 1e-9 to 1e9 and 0 to 1e9 expected", i, c,
+                                         length_name, length[i][c], weight_name, weight[i][c]);
     status = ms_sss__profile_alloc(profile, kind, count, allocator, error);
     if (status != MS_OK) return status;
     memcpy((*profile)->length, length, sizeof *length * (size_t)count);
