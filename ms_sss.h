@@ -91,7 +91,7 @@
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
-   Profiles and designers are one block each from the caller's allocator (a designer: 2.3 MB). Building a kernel
+   Profiles and designers are one block each from the caller's allocator (a designer: 2 MB). Building a kernel
    takes up to 2.1 MB more (33 taps of six terms; 0.5 MB of one term), measuring one 60 KB, and gives it back. Filters
    allocate nothing if the caller gives a workspace. No globals. At most 32 KB of stack a call, 64 KB at -O0.
    Profiles, designers and kernels are only read once made: calls may overlap. Filters cut the picture into rows for
@@ -112,7 +112,7 @@
 
    Limits
    ------
-   A separable kernel only approximates a profile: the step and disk errors above do not fall with more taps, only with
+   A separable kernel only approximates a profile: the step errors above do not fall with more taps, only with
    more terms. Against random walks through three objects (`make bench FILTER=sss_truth`) the remaining error lies at
    shadow borders (the pyramid and examples/tools/gather.h do better there), and on parts that let light through
    (ms_sss_transmission, or the gather with a back layer): there, lit from behind, the filter alone is hardly better
@@ -392,7 +392,7 @@ typedef struct ms_sss_designer ms_sss_designer;
 /* radius_px: pixels that the 99% energy radius of the widest channel covers where the kernel will be used, up to 1e9;
    0: 24; above 128: 128, from where on errors hardly change. Kernels scale with depth when they are applied: design for
    the closest view that matters. The profile is not kept.
-   MS_INVALID_ARGUMENT: radius_px; a profile without any light. MS_OUT_OF_MEMORY: 2.3 MB are needed. */
+   MS_INVALID_ARGUMENT: radius_px; a profile without any light. MS_OUT_OF_MEMORY: 2 MB are needed. */
 MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss_profile *profile, double radius_px,
                                         const ms_allocator *allocator, ms_error *error);
 MS_API void ms_sss_designer_destroy(ms_sss_designer *designer);
@@ -409,8 +409,6 @@ MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designe
 typedef struct ms_sss_errors {
     double vertical_step; /* an edge along an axis */
     double diagonal_step; /* an edge at 45 degrees */
-    double small_disk;    /* radius 10 pixels */
-    double large_disk;    /* radius 120 pixels */
     double dot;           /* one pixel */
     double texture;       /* noise with amplitude 1/f: stands for natural pictures */
     double bands; /* stairs along a shadow's edge: of an edge from black to white along an axis, as sRGB with 255 for
@@ -4512,8 +4510,8 @@ enum {
     MS_SSS__CELLS_MAX = 128,
     MS_SSS__ROW_MAX = MS_SSS__CELLS_MAX + 1,
     MS_SSS__RINGS_MAX = 512,
-    MS_SSS__SIGNALS = 6,    /* of ms_sss_errors */
-    MS_SSS__TEXTURE = 5,    /* the last of them */
+    MS_SSS__SIGNALS = 4,    /* of ms_sss_errors */
+    MS_SSS__TEXTURE = 3,    /* the last of them */
     MS_SSS__FIT_PAIRS = 16, /* of the 33 taps that are fitted */
     MS_SSS__NODES_MAX = 96,
     MS_SSS__BINS_MAX = MS_SSS__NODES_MAX * (MS_SSS__NODES_MAX + 1) / 2
@@ -4638,30 +4636,6 @@ static void ms_sss__spectrum(ms_sss_designer *d, int c)
     }
 }
 
-/* |DFT|^2 of a disk of pixels around (256, 256): its rows are runs, whose transforms are Dirichlet kernels. */
-static void ms_sss__disk_power(ms_sss_designer *d, int radius, float *power)
-{
-    double *amplitude = d->spectrum[0]; /* free until the profile's spectrum is made */
-    int y, k1, k2;
-    memset(amplitude, 0, sizeof *amplitude * MS_SSS__OCTANT);
-    for (y = 0; y <= radius; ++y) {
-        int half = (int)floor(sqrt((double)(radius * radius - y * y)) + 1e-9);
-        for (k1 = 0; k1 <= MS_SSS__HALF; ++k1) {
-            double run = k1 == 0
-                ? 2 * half + 1
-                : sin(MS_SSS__PI * k1 * (2 * half + 1) / (int)MS_SSS__SIZE) / sin(MS_SSS__PI * k1 / (int)MS_SSS__SIZE);
-            double *a = amplitude + ms_sss__octant(k1, 0);
-            run *= y ? 2 : 1;
-            for (k2 = 0; k2 <= k1; ++k2) a[k2] += run * d->cosine[k2 * y % MS_SSS__SIZE];
-        }
-    }
-    for (k1 = 0; k1 <= MS_SSS__HALF; ++k1)
-        for (k2 = 0; k2 <= k1; ++k2) {
-            double a = amplitude[ms_sss__octant(k1, k2)];
-            power[ms_sss__octant(k1, k2)] = (float)(a * a * ms_sss__orbit(k1, k2));
-        }
-}
-
 /* The texture is one picture of the Gaussian process with power 1/f^2, band-limited as by a lens: its low frequencies
    are drawn (|S|^2 over its mean is exponentially distributed for each pair of conjugate bins), the others stand at
    their mean. Seed and band limit are fixed so that the published errors can be reproduced. The mean is 4.5 standard
@@ -4693,8 +4667,6 @@ static void ms_sss__signal_power(ms_sss_designer *d)
     enum { DRAWN = 24 };
     int k1, k2, n;
     double total = 0;
-    ms_sss__disk_power(d, 10, d->power[2]);
-    ms_sss__disk_power(d, 120, d->power[3]);
     for (k1 = 0; k1 <= MS_SSS__HALF; ++k1)
         for (k2 = 0; k2 <= k1; ++k2) {
             int o = ms_sss__octant(k1, k2), orbit = ms_sss__orbit(k1, k2);
@@ -4702,7 +4674,7 @@ static void ms_sss__signal_power(ms_sss_designer *d)
             edge = k1 == 0 ? (double)(MS_SSS__HALF * MS_SSS__HALF) : k1 % 2 ? 1 / (edge * edge) : 0; /* 256 of 512 */
             d->power[0][o] = k2 == 0 ? (float)(edge * (k1 ? 2 : 1)) : 0;
             d->power[1][o] = k1 == k2 ? (float)(edge * (k1 ? 2 : 1)) : 0;
-            d->power[4][o] = (float)orbit;
+            d->power[2][o] = (float)orbit;
             if (k1 > 0) {
                 texture = orbit;
                 if (k1 < DRAWN)
