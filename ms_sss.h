@@ -282,18 +282,18 @@ MS_API ms_status ms_sss_profile_from_gaussians(ms_sss_profile **profile, int cou
                                                ms_error *error);
 
 /* Normalized diffusion, R_d(r) = reflectance (exp(-r/d) + exp(-r/(3 d))) / (8 pi d r).
-   reflectance 0 to 1e9, d_mm 1e-9 to 1e9.
-   Burley 2015, Extending the Disney BRDF to a BSDF with integrated subsurface scattering. */
+   reflectance 0 to 1e9, d_mm 1e-9 to 1e9. Burley 2015, Extending the Disney BRDF to a BSDF with integrated subsurface
+   scattering. */
 MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const double reflectance[3], const double d_mm[3],
                                             const ms_allocator *allocator, ms_error *error);
 
 /* Burley's d for a diffuse surface albedo A in [0, 1] and a mean free path, 1 / (mu_s (1 - g) + mu_a), the length that
    ms_mcml.h and `build/profile --mfp` take: d = path / (1.85 - A + 7 |A - 0.8|^3 - 1.25 max(0, A - 0.65)).
    The terms before the last are equation 5 (searchlight configuration) of Christensen and Burley 2015, Approximate
-   reflectance profiles for efficient subsurface scattering. Their mean distance between entry and exit is 11% short of
-   a half-space at A = 0.75 and 35% at 0.91. The last term is not the paper's: it was fitted here to half-spaces by
-   ms_mcml.h, from whose mean distance the whole formula differs by at most 9% from A = 0.1 to 0.95. An engine that
-   stores a *diffuse* mean free path (Unreal) takes the paper's other form: d = path / (3.5 + 100 (A - 0.33)^4). */
+   reflectance profiles for efficient subsurface scattering. The last one is not the paper's: it was fitted here to
+   half-spaces by ms_mcml.h, from whose mean distance between entry and exit the formula differs by at most 9% from A =
+   0.1 to 0.95 (without the term by 11% at 0.75, 35% at 0.91). An engine that stores a *diffuse* mean free path
+   (Unreal) takes the paper's other form: d = path / (3.5 + 100 (A - 0.33)^4). */
 MS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm);
 
 /* NULL is fine. */
@@ -2213,8 +2213,7 @@ static MS_SSS__INLINE void MS__F(gather_sums)(const ms_sss__pyramid_params *s, c
 }
 
 /* Light of the coarser level by (1 - r^2 / radius^2)^2 (wide: ^3) of the distance on the surface and by the area that
-   each pixel shows. Elevation: wide, of every pixel; else of
-   the mean and mean square of sin(theta). */
+   each pixel shows. Elevation: wide, of every pixel; else of the mean and mean square of sin(theta). */
 static MS_SSS__INLINE void MS__F(gather_light)(const ms_sss__pyramid_params *s, const int wide,
                                                const MS__F(site) * site, MS__V fall, const float *coarse,
                                                const ms_sss__gather_tap *tap, int count, MS__F(gathered) * sum)
@@ -3935,8 +3934,8 @@ static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_ss
         return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round, without rotation or jitter");
     if (!pyramid) return MS_SSS__REFUSE(error, "shader->pyramids is NULL");
     {
-        const ms_sss__range ranges[] = {{"profile", profile, 0, ms_sss__shader_profiles(shader) - 1},
-                                        {"level", level, 0, levels - 1}};
+        const ms_sss__range ranges[] = {{"profile", (double)profile, 0, (double)(ms_sss__shader_profiles(shader) - 1)},
+                                        {"level", (double)level, 0, (double)(levels - 1)}};
         const ms_status status = ms_sss__check_ranges(ranges, 2, error);
         if (status != MS_OK) return status;
     }
@@ -4125,9 +4124,9 @@ static double ms_sss__descend(const ms_sss__squares *p, double *x, int rounds, d
     return least;
 }
 
-/* The Bickley function Ki_1(x), the integral of K_0 from x to infinity: the trapezoidal rule on exp(-x cosh u) / cosh u.
-   Its poles limit the error to exp(-pi^2 / step), its width 1/sqrt(x) to exp(-2 pi^2 / (x step^2)): below rounding for
-   this step. */
+/* The Bickley function Ki_1(x), the integral of K_0 from x to infinity: the trapezoidal rule on exp(-x cosh u) /
+   cosh u. Its poles limit the error to exp(-pi^2 / step), its width 1/sqrt(x) to exp(-2 pi^2 / (x step^2)): below
+   rounding for this step. */
 static double ms_sss__bickley_1(double x)
 {
     double sum = 0.5 * exp(-x), step = x > 7 ? 0.66 / sqrt(x) : 0.25, term = 1;
@@ -5584,8 +5583,8 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
     ms_sss__fit_destroy(fit);
     fit = ms_sss__fit_create(d, model, dial, best, !no_delta, 0);
     if (fit == NULL) return MS_OUT_OF_MEMORY;
-    ms_sss__fit_past_kinks(fit, dense->terms > 1 || pairs <= 8,
-                           best); /* worth its time where a tap or an error counts */
+    /* worth its time where a tap or an error counts */
+    ms_sss__fit_past_kinks(fit, dense->terms > 1 || pairs <= 8, best);
     ms_sss__fit_destroy(fit);
     return MS_OK;
 }
