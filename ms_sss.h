@@ -91,7 +91,7 @@
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
-   Profiles and designers are one block each from the caller's allocator (a designer: 2.3 MB). Building a kernel
+   Profiles and designers are one block each from the caller's allocator (a designer: 2 MB). Building a kernel
    takes up to 2.1 MB more (33 taps of six terms; 0.5 MB of one term), measuring one 60 KB, and gives it back. Filters
    allocate nothing if the caller gives a workspace. No globals. At most 32 KB of stack a call, 64 KB at -O0.
    Profiles, designers and kernels are only read once made: calls may overlap. Filters cut the picture into rows for
@@ -112,7 +112,7 @@
 
    Limits
    ------
-   A separable kernel only approximates a profile: the step and disk errors above do not fall with more taps, only with
+   A separable kernel only approximates a profile: the step errors above do not fall with more taps, only with
    more terms. Against random walks through three objects (`make bench FILTER=sss_truth`) the remaining error lies at
    shadow borders (the pyramid and examples/tools/gather.h do better there), and on parts that let light through
    (ms_sss_transmission, or the gather with a back layer): there, lit from behind, the filter alone is hardly better
@@ -282,18 +282,18 @@ MS_API ms_status ms_sss_profile_from_gaussians(ms_sss_profile **profile, int cou
                                                ms_error *error);
 
 /* Normalized diffusion, R_d(r) = reflectance (exp(-r/d) + exp(-r/(3 d))) / (8 pi d r).
-   reflectance 0 to 1e9, d_mm 1e-9 to 1e9.
-   Burley 2015, Extending the Disney BRDF to a BSDF with integrated subsurface scattering. */
+   reflectance 0 to 1e9, d_mm 1e-9 to 1e9. Burley 2015, Extending the Disney BRDF to a BSDF with integrated subsurface
+   scattering. */
 MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const double reflectance[3], const double d_mm[3],
                                             const ms_allocator *allocator, ms_error *error);
 
 /* Burley's d for a diffuse surface albedo A in [0, 1] and a mean free path, 1 / (mu_s (1 - g) + mu_a), the length that
    ms_mcml.h and `build/profile --mfp` take: d = path / (1.85 - A + 7 |A - 0.8|^3 - 1.25 max(0, A - 0.65)).
    The terms before the last are equation 5 (searchlight configuration) of Christensen and Burley 2015, Approximate
-   reflectance profiles for efficient subsurface scattering. Their mean distance between entry and exit is 11% short of
-   a half-space at A = 0.75 and 35% at 0.91. The last term is not the paper's: it was fitted here to half-spaces by
-   ms_mcml.h, from whose mean distance the whole formula differs by at most 9% from A = 0.1 to 0.95. An engine that
-   stores a *diffuse* mean free path (Unreal) takes the paper's other form: d = path / (3.5 + 100 (A - 0.33)^4). */
+   reflectance profiles for efficient subsurface scattering. The last one is not the paper's: it was fitted here to
+   half-spaces by ms_mcml.h, from whose mean distance between entry and exit the formula differs by at most 9% from A =
+   0.1 to 0.95 (without the term by 11% at 0.75, 35% at 0.91). An engine that stores a *diffuse* mean free path
+   (Unreal) takes the paper's other form: d = path / (3.5 + 100 (A - 0.33)^4). */
 MS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm);
 
 /* NULL is fine. */
@@ -308,12 +308,8 @@ MS_API void ms_sss_profile_value(const ms_sss_profile *profile, double r_mm, dou
 /* Light that leaves within distance r, integral over the disc. */
 MS_API void ms_sss_profile_disc(const ms_sss_profile *profile, double r_mm, double out[3]);
 
-/* The pre-integrated kernel a_p(x) = integral of R_d(sqrt(x^2 + y^2)) over all y, 1/mm (5.4), in closed form: exact
-   chords of the rings, Gaussians, K0 for Burley (infinite at x = 0). Not normalized: its integral is the
-   reflectance. */
-MS_API void ms_sss_profile_line(const ms_sss_profile *profile, double x_mm, double out[3]);
-
-/* Integral of a_p from -x to x, in closed form. */
+/* Light that leaves within x of a line through the entry: the integral from -x to x of the pre-integrated kernel
+   a_p(x) = integral of R_d(sqrt(x^2 + y^2)) over all y (5.4), in closed form. */
 MS_API void ms_sss_profile_strip(const ms_sss_profile *profile, double x_mm, double out[3]);
 
 /* Radius that holds this fraction (0 to 1) of each channel's light, to 1e-9 of itself; 0 for an empty channel. */
@@ -396,7 +392,7 @@ typedef struct ms_sss_designer ms_sss_designer;
 /* radius_px: pixels that the 99% energy radius of the widest channel covers where the kernel will be used, up to 1e9;
    0: 24; above 128: 128, from where on errors hardly change. Kernels scale with depth when they are applied: design for
    the closest view that matters. The profile is not kept.
-   MS_INVALID_ARGUMENT: radius_px; a profile without any light. MS_OUT_OF_MEMORY: 2.3 MB are needed. */
+   MS_INVALID_ARGUMENT: radius_px; a profile without any light. MS_OUT_OF_MEMORY: 2 MB are needed. */
 MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss_profile *profile, double radius_px,
                                         const ms_allocator *allocator, ms_error *error);
 MS_API void ms_sss_designer_destroy(ms_sss_designer *designer);
@@ -406,17 +402,6 @@ MS_API void ms_sss_designer_destroy(ms_sss_designer *designer);
 MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *designer,
                                      const ms_sss_kernel_options *options, ms_error *error);
 
-/* The two-Gaussian model (5.6): standard deviations, and the share of the near Gaussian, 0 to 1. Its kernel is the
-   pre-integrated one of ms_sss_profile_from_gaussians. */
-typedef struct ms_sss_artist {
-    double sigma_near_mm[3], sigma_far_mm[3];
-    double near_weight[3];
-} ms_sss_artist;
-
-/* The model of least squares to a_p, for artists to start from. A channel without light: near_weight 1 and sigmas of a
-   thousandth of a cell. MS_INVALID_ARGUMENT: a NULL. */
-MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *designer, ms_sss_artist *artist);
-
 /* ---- errors ---------------------------------------------------------------------------------------------------- */
 
 /* The error of a kernel against the profile's 2D convolution: the root mean square difference over the standard
@@ -424,8 +409,6 @@ MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *designer, ms_sss_artis
 typedef struct ms_sss_errors {
     double vertical_step; /* an edge along an axis */
     double diagonal_step; /* an edge at 45 degrees */
-    double small_disk;    /* radius 10 pixels */
-    double large_disk;    /* radius 120 pixels */
     double dot;           /* one pixel */
     double texture;       /* noise with amplitude 1/f: stands for natural pictures */
     double bands; /* stairs along a shadow's edge: of an edge from black to white along an axis, as sRGB with 255 for
@@ -541,7 +524,7 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
    strength is 0 or NaN, or the profile has no kernel. No light passes between masked and other pixels, or between
    profiles. The effect fades from kernels with a radius of a pixel to those of half a pixel, from where on pixels keep
    their bits. Results are bit-equal for any thread count at one SIMD level, across levels within 4e-6 of the largest
-   pixel of input and output, typically 1e-6.
+   pixel of input and output (1e-5: a pyramid with normals that belong to no surface), typically 1e-6.
    MS_INVALID_ARGUMENT: a pointer, size, stride, option or kernel out of range. MS_OUT_OF_MEMORY: only without a
    workspace. Nothing is written then. Thesis 5.5, 5.10. */
 MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
@@ -886,7 +869,8 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #define MS_SSS__COLD
 #endif
 
-#define MS_SSS__REFUSE(error, ...) ms__fail(error, MS_INVALID_ARGUMENT, 0, __VA_ARGS__)
+#define MS_SSS__REFUSE_AT(error, index, ...) ms__fail(error, MS_INVALID_ARGUMENT, (size_t)(index), __VA_ARGS__)
+#define MS_SSS__REFUSE(error, ...) MS_SSS__REFUSE_AT(error, 0, __VA_ARGS__)
 
 /* A number of the caller and its range; NaN is outside of any. */
 typedef struct ms_sss__range {
@@ -912,30 +896,28 @@ static MS_SSS__COLD ms_status ms_sss__check_kernel(const ms_sss_kernel *k, int i
 {
     int i, c, t;
     if (k->tap_count < 1 || k->tap_count > MS_SSS_TAPS_MAX || k->tap_count % 2 == 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                        "kernel %d: tap_count %d is not an odd number from 1 to %d", index, k->tap_count,
-                        MS_SSS_TAPS_MAX);
+        return MS_SSS__REFUSE_AT(error, index, "kernel %d: tap_count %d is not an odd number from 1 to %d", index,
+                                 k->tap_count, MS_SSS_TAPS_MAX);
     if (k->term_count < 1 || k->term_count > MS_SSS_TERMS_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: term_count %d is not within 1 to %d",
-                        index, k->term_count, MS_SSS_TERMS_MAX);
+        return MS_SSS__REFUSE_AT(error, index, "kernel %d: term_count %d is not within 1 to %d", index, k->term_count,
+                                 MS_SSS_TERMS_MAX);
     if (!ms_sss__positive(k->radius_mm))
-        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: radius_mm %g is not positive", index,
-                        (double)k->radius_mm);
+        return MS_SSS__REFUSE_AT(error, index, "kernel %d: radius_mm %g is not positive", index, (double)k->radius_mm);
     for (i = 0; i <= k->tap_count / 2; ++i) {
         if (!ms__finite_f(k->offset_mm[i]) || k->offset_mm[i] < 0 || (i == 0 && k->offset_mm[0] > 0))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                            "kernel %d: offset_mm[%d] is %g; entry 0 must be 0, all finite and none below 0", index, i,
-                            (double)k->offset_mm[i]);
+            return MS_SSS__REFUSE_AT(error, index,
+                                     "kernel %d: offset_mm[%d] is %g; entry 0 must be 0, all finite and none below 0",
+                                     index, i, (double)k->offset_mm[i]);
         for (t = 0; t < k->term_count; ++t)
             for (c = 0; c < 3; ++c)
                 if (!ms__finite_f(k->weight[t][i][c]) || !ms__finite_f(k->scale[t][c]) || !ms__finite_f(k->delta[c]))
-                    return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                                    "kernel %d: term %d, entry %d, channel %d is not finite", index, t, i, c);
+                    return MS_SSS__REFUSE_AT(error, index, "kernel %d: term %d, entry %d, channel %d is not finite",
+                                             index, t, i, c);
     }
     for (c = 0; c < 3; ++c)
         if (!(fabsf(k->elevation[c]) <= 1e6f && fabsf(k->elevation_axis[c]) <= 1e6f))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                            "kernel %d: elevation[%d] or elevation_axis[%d] is beyond 1e6", index, c, c);
+            return MS_SSS__REFUSE_AT(error, index, "kernel %d: elevation[%d] or elevation_axis[%d] is beyond 1e6",
+                                     index, c, c);
     return MS_OK;
 }
 
@@ -2231,8 +2213,7 @@ static MS_SSS__INLINE void MS__F(gather_sums)(const ms_sss__pyramid_params *s, c
 }
 
 /* Light of the coarser level by (1 - r^2 / radius^2)^2 (wide: ^3) of the distance on the surface and by the area that
-   each pixel shows. Elevation: wide, of every pixel; else of
-   the mean and mean square of sin(theta). */
+   each pixel shows. Elevation: wide, of every pixel; else of the mean and mean square of sin(theta). */
 static MS_SSS__INLINE void MS__F(gather_light)(const ms_sss__pyramid_params *s, const int wide,
                                                const MS__F(site) * site, MS__V fall, const float *coarse,
                                                const ms_sss__gather_tap *tap, int count, MS__F(gathered) * sum)
@@ -3621,13 +3602,13 @@ static MS_SSS__COLD ms_status ms_sss__check_pyramid(const ms_sss_pyramid *p, int
     const float *weight = &p->weight[0][0][0][0][0];
     size_t i;
     if (!ms_sss__positive(p->radius_mm))
-        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                        "pyramid %d: radius_mm %g is not positive; ms_sss_pyramid_make fills a pyramid", index,
-                        (double)p->radius_mm);
+        return MS_SSS__REFUSE_AT(error, index,
+                                 "pyramid %d: radius_mm %g is not positive; ms_sss_pyramid_make fills a pyramid", index,
+                                 (double)p->radius_mm);
     for (i = 0; i < sizeof p->weight / sizeof(float); ++i)
         if (!(weight[i] >= 0 && weight[i] <= 2))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "pyramid %d: weight %d is %g; 0 to 1 expected",
-                            index, (int)i, (double)weight[i]);
+            return MS_SSS__REFUSE_AT(error, index, "pyramid %d: weight %d is %g; 0 to 1 expected", index, (int)i,
+                                     (double)weight[i]);
     return MS_OK;
 }
 
@@ -3656,18 +3637,24 @@ static MS_SSS__COLD ms_status ms_sss__check_scale(const ms_sss_frame *f, const m
                           radius_mm);
 }
 
-/* Checks what both filters share and begins the job; its memory is taken afterwards. least_mm: the smallest radius. */
-static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame,
-                                            const ms_sss_filter_options *options, double least_mm, ms_error *error)
+/* Checks what both filters share, whose kernels or pyramids are `of`, and begins the job; its memory is taken
+   afterwards. */
+static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, const char *name,
+                                            const void *of, int count, const ms_sss_filter_options *options,
+                                            ms_error *error)
 {
     const ms_sss_image *from = &job->frame.input, *to = &job->frame.output;
     ms_status status;
+    if (!frame) return MS_SSS__REFUSE(error, "frame is NULL");
+    if (!of) return MS_SSS__REFUSE(error, "%ss is NULL", name);
+    if (!options) return MS_SSS__REFUSE(error, "options is NULL");
+    if (count < 1 || count > 256) return MS_SSS__REFUSE(error, "%s_count %d is not within 1 to 256", name, count);
     memset(job, 0, sizeof *job);
     job->frame = *frame;
     job->options = *options;
-    if ((status = ms_sss__check_options(options, error)) != MS_OK ||
-        (status = ms_sss__check_frame(&job->frame, options->fov_degrees > 0, error)) != MS_OK ||
-        (status = ms_sss__check_scale(&job->frame, options, least_mm, error)) != MS_OK)
+    if ((status = ms_sss__check_sides(frame->width, frame->height, error)) != MS_OK ||
+        (status = ms_sss__check_options(options, error)) != MS_OK ||
+        (status = ms_sss__check_frame(&job->frame, options->fov_degrees > 0, error)) != MS_OK)
         return status;
     job->view = ms_sss__make_view(options, frame->width, frame->height);
     job->simd = ms_sss__pick(options->simd);
@@ -3766,17 +3753,12 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
     ms_status status;
     void *owned;
     int i, least = 0;
-    if (!frame) return MS_SSS__REFUSE(error, "frame is NULL");
-    if (!kernels) return MS_SSS__REFUSE(error, "kernels is NULL");
-    if (!options) return MS_SSS__REFUSE(error, "options is NULL");
-    if ((status = ms_sss__check_sides(frame->width, frame->height, error)) != MS_OK) return status;
-    if (kernel_count < 1 || kernel_count > 256)
-        return MS_SSS__REFUSE(error, "kernel_count %d is not within 1 to 256", kernel_count);
-    for (i = 0; i < kernel_count; ++i) {
-        if ((status = ms_sss__check_kernel(&kernels[i], i, error)) != MS_OK) return status;
+    status = ms_sss__begin(&job, frame, "kernel", kernels, kernel_count, options, error);
+    for (i = 0; i < kernel_count && status == MS_OK; ++i) {
+        status = ms_sss__check_kernel(&kernels[i], i, error);
         if (kernels[i].radius_mm < kernels[least].radius_mm) least = i;
     }
-    status = ms_sss__begin(&job, frame, options, (double)kernels[least].radius_mm, error);
+    if (status == MS_OK) status = ms_sss__check_scale(&job.frame, options, (double)kernels[least].radius_mm, error);
     if (status == MS_OK)
         status = ms_sss__get_workspace(
             workspace, workspace_size,
@@ -3825,18 +3807,13 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
     ms_status status;
     void *owned;
     int i, least = 0;
-    if (!frame) return MS_SSS__REFUSE(error, "frame is NULL");
-    if (!pyramids) return MS_SSS__REFUSE(error, "pyramids is NULL");
-    if (!options) return MS_SSS__REFUSE(error, "options is NULL");
-    if ((status = ms_sss__check_sides(frame->width, frame->height, error)) != MS_OK) return status;
-    if (pyramid_count < 1 || pyramid_count > 256)
-        return MS_SSS__REFUSE(error, "pyramid_count %d is not within 1 to 256", pyramid_count);
-    for (i = 0; i < pyramid_count; ++i) {
-        if ((status = ms_sss__check_pyramid(&pyramids[i], i, error)) != MS_OK) return status;
+    status = ms_sss__begin(&job, frame, "pyramid", pyramids, pyramid_count, options, error);
+    for (i = 0; i < pyramid_count && status == MS_OK; ++i) {
+        status = ms_sss__check_pyramid(&pyramids[i], i, error);
         if (pyramids[i].radius_mm < pyramids[least].radius_mm) least = i;
     }
-    if ((status = ms_sss__begin(&job, frame, options, (double)pyramids[least].radius_mm, error)) != MS_OK)
-        return status;
+    if (status == MS_OK) status = ms_sss__check_scale(&job.frame, options, (double)pyramids[least].radius_mm, error);
+    if (status != MS_OK) return status;
     if (job.view.aspect[1] < 1 || job.view.aspect[1] > 1)
         return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round: pixels_per_mm %g and %g differ",
                         (double)options->pixels_per_mm[0], (double)options->pixels_per_mm[1]);
@@ -3956,11 +3933,12 @@ static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_ss
     if (ms_sss__differ(shader->rotation, 0) || shader->jitter > 0 || (a[1] > 0 && ms_sss__differ(a[0], a[1])))
         return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round, without rotation or jitter");
     if (!pyramid) return MS_SSS__REFUSE(error, "shader->pyramids is NULL");
-    if (profile < 0 || profile >= ms_sss__shader_profiles(shader))
-        return MS_SSS__REFUSE(error, "profile %d is not within the shader's %d", profile,
-                              ms_sss__shader_profiles(shader));
-    if (level < 0 || level >= levels)
-        return MS_SSS__REFUSE(error, "level %d is not within the picture's %d", level, levels);
+    {
+        const ms_sss__range ranges[] = {{"profile", (double)profile, 0, (double)(ms_sss__shader_profiles(shader) - 1)},
+                                        {"level", (double)level, 0, (double)(levels - 1)}};
+        const ms_status status = ms_sss__check_ranges(ranges, 2, error);
+        if (status != MS_OK) return status;
+    }
     pyramid += profile;
     ms_sss__pyramid_kernel(pyramid, &kernel);
     round.flat = 1;
@@ -4040,9 +4018,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
     for (i = 0; i < count; ++i) { /* all are checked before anything is written */
         if ((status = ms_sss__check_kernel(&kernels[i], i, error)) != MS_OK) return status;
         if (kernels[i].tap_count > shader->tap_count)
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
-                            "kernel %d has %d taps, more than the shader's tap_count %d", i, kernels[i].tap_count,
-                            shader->tap_count);
+            return MS_SSS__REFUSE_AT(error, i, "kernel %d has %d taps, more than the shader's tap_count %d", i,
+                                     kernels[i].tap_count, shader->tap_count);
         if ((status = ms_sss__check_stairs(&kernels[i], options, width, height, shader, error)) != MS_OK) return status;
         if (kernels[i].term_count > terms) terms = kernels[i].term_count;
     }
@@ -4147,23 +4124,12 @@ static double ms_sss__descend(const ms_sss__squares *p, double *x, int rounds, d
     return least;
 }
 
-/* K_0(x) and the Bickley function Ki_1(x), the integral of K_0 from x to infinity: the trapezoidal rule on
-   exp(-x cosh u) and exp(-x cosh u) / cosh u. Their poles limit its error to exp(-pi^2 / step), their width 1/sqrt(x)
-   to exp(-2 pi^2 / (x step^2)): below rounding for this step. */
-static double ms_sss__bessel_step(double x) { return x > 7 ? 0.66 / sqrt(x) : 0.25; }
-
-static double ms_sss__bessel_k0(double x)
-{
-    double sum = 0.5 * exp(-x), step = ms_sss__bessel_step(x), term;
-    int i;
-    if (!(x > 0)) return HUGE_VAL;
-    for (i = 1; (term = exp(-x * cosh(step * i))) > 1e-18 * sum && i < 4000; ++i) sum += term;
-    return step * sum;
-}
-
+/* The Bickley function Ki_1(x), the integral of K_0 from x to infinity: the trapezoidal rule on exp(-x cosh u) /
+   cosh u. Its poles limit the error to exp(-pi^2 / step), its width 1/sqrt(x) to exp(-2 pi^2 / (x step^2)): below
+   rounding for this step. */
 static double ms_sss__bickley_1(double x)
 {
-    double sum = 0.5 * exp(-x), step = ms_sss__bessel_step(x), term = 1;
+    double sum = 0.5 * exp(-x), step = x > 7 ? 0.66 / sqrt(x) : 0.25, term = 1;
     int i;
     for (i = 1; term > 1e-18 * sum && i < 4000; ++i) {
         double c = cosh(step * i);
@@ -4259,15 +4225,15 @@ static MS_SSS__COLD ms_status ms_sss__check_table(int count, int least, const do
     if (stride < 1) return MS_SSS__REFUSE(error, "stride is %d; 0 or more expected", stride);
     for (i = 0; i < radii; ++i)
         if (!ms__finite(radius[i]) || radius[i] < 0 || radius[i] > 1e9 || (i > 0 && radius[i] - radius[i - 1] < 1e-9))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
-                            "radius %d is %g mm; finite, 0 to 1e9, and increasing by 1e-9 at least expected", i,
-                            radius[i]);
+            return MS_SSS__REFUSE_AT(error, i,
+                                     "radius %d is %g mm; finite, 0 to 1e9, and increasing by 1e-9 at least expected",
+                                     i, radius[i]);
     for (i = 0; i < count; ++i)
         for (c = 0; c < 3; ++c) {
             double v = value[c][(size_t)i * (size_t)stride];
             if (!ms__finite(v) || v < 0 || v > 1e30)
-                return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
-                                "R_d of row %d, channel %d is %g; finite, 0 to 1e30 expected", i, c, v);
+                return MS_SSS__REFUSE_AT(error, i, "R_d of row %d, channel %d is %g; finite, 0 to 1e30 expected", i, c,
+                                         v);
         }
     return MS_OK;
 }
@@ -4349,9 +4315,9 @@ static MS_SSS__COLD ms_status ms_sss__from_lengths(ms_sss_profile **profile, ms_
     for (i = 0; i < count; ++i)
         for (c = 0; c < 3; ++c)
             if (!(length[i][c] >= 1e-9 && length[i][c] <= 1e9 && weight[i][c] >= 0 && weight[i][c] <= 1e9))
-                return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)(burley ? c : i),
-                                "entry %d, channel %d: %s %g, %s %g; 1e-9 to 1e9 and 0 to 1e9 expected", i, c,
-                                length_name, length[i][c], weight_name, weight[i][c]);
+                return MS_SSS__REFUSE_AT(error, burley ? c : i,
+                                         "entry %d, channel %d: %s %g, %s %g; 1e-9 to 1e9 and 0 to 1e9 expected", i, c,
+                                         length_name, length[i][c], weight_name, weight[i][c]);
     status = ms_sss__profile_alloc(profile, kind, count, allocator, error);
     if (status != MS_OK) return status;
     memcpy((*profile)->length, length, sizeof *length * (size_t)count);
@@ -4487,41 +4453,6 @@ static double ms_sss__extent(const ms_sss_profile *p, double total[3], double ra
 
 /* ---- pre-integration ------------------------------------------------------------------------------------------- */
 
-/* The chord at distance x through R_d = mean + slope (x^2 + u^2 - middle): 2 times the integral over u from 0. */
-static double ms_sss__chord(double mean, double slope, double u) { return 2 * u * (mean + slope * u * u / 3); }
-
-MS_SSS__COLD MS_API void ms_sss_profile_line(const ms_sss_profile *p, double x, double out[3])
-{
-    int c, i;
-    if (p == NULL || out == NULL) return;
-    x = fabs(x);
-    for (c = 0; c < 3; ++c) {
-        out[c] = 0;
-        if (p->kind == MS_SSS__RINGS) {
-            double u0 = 0;
-            i = ms_sss__ring_of(p, x);
-            if (i < 0) {
-                i = 0;
-                u0 = sqrt((p->ring[0].edge - x) * (p->ring[0].edge + x));
-            }
-            for (; i < p->count; ++i) { /* r = sqrt(x^2 + u^2) runs over the ring as u runs from u0 to u1 */
-                const double u1 = sqrt((p->ring[i + 1].edge - x) * (p->ring[i + 1].edge + x));
-                const double slope = p->ring[i].slope[c];
-                const double mean = p->ring[i].mean[c] + slope * (x * x - ms_sss__middle2(p, i));
-                out[c] += ms_sss__chord(mean, slope, u1) - ms_sss__chord(mean, slope, u0);
-                u0 = u1;
-            }
-            continue;
-        }
-        for (i = 0; i < p->count; ++i) { /* the integral of exp(-r/d)/r along a line is 2 K_0(x/d) */
-            double s = p->length[i][c], w = p->weight[i][c];
-            if (p->kind == MS_SSS__GAUSSIANS) out[c] += w * exp(-x * x / (2 * s * s)) / (s * sqrt(2 * MS_SSS__PI));
-            else if (w > 0)
-                out[c] = w * (ms_sss__bessel_k0(x / s) + ms_sss__bessel_k0(x / (3 * s))) / (4 * MS_SSS__PI * s);
-        }
-    }
-}
-
 MS_SSS__COLD MS_API void ms_sss_profile_strip(const ms_sss_profile *p, double x, double out[3])
 {
     int c, i;
@@ -4578,8 +4509,8 @@ enum {
     MS_SSS__CELLS_MAX = 128,
     MS_SSS__ROW_MAX = MS_SSS__CELLS_MAX + 1,
     MS_SSS__RINGS_MAX = 512,
-    MS_SSS__SIGNALS = 6,    /* of ms_sss_errors */
-    MS_SSS__TEXTURE = 5,    /* the last of them */
+    MS_SSS__SIGNALS = 4,    /* of ms_sss_errors */
+    MS_SSS__TEXTURE = 3,    /* the last of them */
     MS_SSS__FIT_PAIRS = 16, /* of the 33 taps that are fitted */
     MS_SSS__NODES_MAX = 96,
     MS_SSS__BINS_MAX = MS_SSS__NODES_MAX * (MS_SSS__NODES_MAX + 1) / 2
@@ -4704,30 +4635,6 @@ static void ms_sss__spectrum(ms_sss_designer *d, int c)
     }
 }
 
-/* |DFT|^2 of a disk of pixels around (256, 256): its rows are runs, whose transforms are Dirichlet kernels. */
-static void ms_sss__disk_power(ms_sss_designer *d, int radius, float *power)
-{
-    double *amplitude = d->spectrum[0]; /* free until the profile's spectrum is made */
-    int y, k1, k2;
-    memset(amplitude, 0, sizeof *amplitude * MS_SSS__OCTANT);
-    for (y = 0; y <= radius; ++y) {
-        int half = (int)floor(sqrt((double)(radius * radius - y * y)) + 1e-9);
-        for (k1 = 0; k1 <= MS_SSS__HALF; ++k1) {
-            double run = k1 == 0
-                ? 2 * half + 1
-                : sin(MS_SSS__PI * k1 * (2 * half + 1) / (int)MS_SSS__SIZE) / sin(MS_SSS__PI * k1 / (int)MS_SSS__SIZE);
-            double *a = amplitude + ms_sss__octant(k1, 0);
-            run *= y ? 2 : 1;
-            for (k2 = 0; k2 <= k1; ++k2) a[k2] += run * d->cosine[k2 * y % MS_SSS__SIZE];
-        }
-    }
-    for (k1 = 0; k1 <= MS_SSS__HALF; ++k1)
-        for (k2 = 0; k2 <= k1; ++k2) {
-            double a = amplitude[ms_sss__octant(k1, k2)];
-            power[ms_sss__octant(k1, k2)] = (float)(a * a * ms_sss__orbit(k1, k2));
-        }
-}
-
 /* The texture is one picture of the Gaussian process with power 1/f^2, band-limited as by a lens: its low frequencies
    are drawn (|S|^2 over its mean is exponentially distributed for each pair of conjugate bins), the others stand at
    their mean. Seed and band limit are fixed so that the published errors can be reproduced. The mean is 4.5 standard
@@ -4759,8 +4666,6 @@ static void ms_sss__signal_power(ms_sss_designer *d)
     enum { DRAWN = 24 };
     int k1, k2, n;
     double total = 0;
-    ms_sss__disk_power(d, 10, d->power[2]);
-    ms_sss__disk_power(d, 120, d->power[3]);
     for (k1 = 0; k1 <= MS_SSS__HALF; ++k1)
         for (k2 = 0; k2 <= k1; ++k2) {
             int o = ms_sss__octant(k1, k2), orbit = ms_sss__orbit(k1, k2);
@@ -4768,7 +4673,7 @@ static void ms_sss__signal_power(ms_sss_designer *d)
             edge = k1 == 0 ? (double)(MS_SSS__HALF * MS_SSS__HALF) : k1 % 2 ? 1 / (edge * edge) : 0; /* 256 of 512 */
             d->power[0][o] = k2 == 0 ? (float)(edge * (k1 ? 2 : 1)) : 0;
             d->power[1][o] = k1 == k2 ? (float)(edge * (k1 ? 2 : 1)) : 0;
-            d->power[4][o] = (float)orbit;
+            d->power[2][o] = (float)orbit;
             if (k1 > 0) {
                 texture = orbit;
                 if (k1 < DRAWN)
@@ -5517,19 +5422,19 @@ static double ms_sss__artist_squares(const ms_sss__squares *p, double *x, double
     return value;
 }
 
-/* out: sigma of the near and of the far one, cells, and the near one's share. */
-static void ms_sss__fit_near_far(const ms_sss_designer *d, int c, const double *ap, double out[3])
+/* Replaces a_p by the two Gaussians of least squares to it. */
+static void ms_sss__fit_artist(const ms_sss_designer *d, int c, double *ap)
 {
-    double x[3] = {0, 0, 0.5}, scratch[MS_SSS__DESCEND_SCRATCH(3)];
+    double x[3] = {0, 0, 0.5}, near_cells[MS_SSS__ROW_MAX], far_cells[MS_SSS__ROW_MAX], slope[MS_SSS__ROW_MAX];
+    double scratch[MS_SSS__DESCEND_SCRATCH(3)];
     const ms_sss__squares problem = {ms_sss__artist_squares, d, 3, 0, ap, 0, NULL};
-    int far_first;
+    int i;
     x[0] = log(d->width[c] / 20 + 0.2);
     x[1] = log(d->width[c] / 3 + 0.4);
     ms_sss__descend(&problem, x, 100, 1e-12, scratch);
-    far_first = x[0] > x[1];
-    out[0] = exp(x[far_first]);
-    out[1] = exp(x[!far_first]);
-    out[2] = far_first ? 1 - x[2] : x[2];
+    ms_sss__gaussian_cells(exp(x[0]), d->cells, near_cells, slope);
+    ms_sss__gaussian_cells(exp(x[1]), d->cells, far_cells, slope);
+    for (i = 0; i <= d->cells; ++i) ap[i] = x[2] * near_cells[i] + (1 - x[2]) * far_cells[i];
 }
 
 /* Guided optimization (5.14): least sum over i, j >= 1 of Gamma_ij (K_ij - a_i a_j)^2, x being a_1 and on. Gamma
@@ -5616,11 +5521,7 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
         } else if (o->model == MS_SSS_GUIDED) {
             status = ms_sss__guided(d, c, o->guide_k, w);
         } else if (o->model == MS_SSS_ARTIST) {
-            double fit[3], far_cells[MS_SSS__ROW_MAX];
-            ms_sss__fit_near_far(d, c, w, fit);
-            ms_sss__gaussian_cells(fit[0], M, w, slope);
-            ms_sss__gaussian_cells(fit[1], M, far_cells, slope);
-            for (i = 0; i <= M; ++i) w[i] = fit[2] * w[i] + (1 - fit[2]) * far_cells[i];
+            ms_sss__fit_artist(d, c, w);
         } else if (o->model == MS_SSS_SLICE) {
             memcpy(w, d->slice[c], sizeof *w * (size_t)(M + 1));
         }
@@ -5682,8 +5583,8 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
     ms_sss__fit_destroy(fit);
     fit = ms_sss__fit_create(d, model, dial, best, !no_delta, 0);
     if (fit == NULL) return MS_OUT_OF_MEMORY;
-    ms_sss__fit_past_kinks(fit, dense->terms > 1 || pairs <= 8,
-                           best); /* worth its time where a tap or an error counts */
+    /* worth its time where a tap or an error counts */
+    ms_sss__fit_past_kinks(fit, dense->terms > 1 || pairs <= 8, best);
     ms_sss__fit_destroy(fit);
     return MS_OK;
 }
@@ -5814,22 +5715,6 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const m
     }
     ms__release(&d->allocator, dense, bytes);
     return status == MS_OK ? MS_OK : ms__fail(error, status, 0, "no memory to fit a kernel");
-}
-
-MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *d, ms_sss_artist *artist)
-{
-    double ap[MS_SSS__ROW_MAX];
-    int c;
-    if (d == NULL || artist == NULL) return MS_INVALID_ARGUMENT;
-    for (c = 0; c < 3; ++c) {
-        double fit[3] = {1e-3, 1e-3, 1};
-        ms_sss__row_sums(d, c, ap);
-        if (d->reflectance[c] > 0) ms_sss__fit_near_far(d, c, ap, fit);
-        artist->sigma_near_mm[c] = fit[0] * d->cell_mm;
-        artist->sigma_far_mm[c] = fit[1] * d->cell_mm;
-        artist->near_weight[c] = fit[2];
-    }
-    return MS_OK;
 }
 
 MS_SSS__COLD MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors,

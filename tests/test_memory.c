@@ -83,7 +83,6 @@ static ms_status kernels(const ms_allocator *allocator)
     const double one[3] = {1, 1, 1}, sigma[1][3] = {{1, 0.5, 0.25}}, weight[1][3] = {{1, 1, 1}};
     ms_sss_profile *profile[4] = {NULL, NULL, NULL, NULL};
     ms_sss_designer *designer = NULL;
-    ms_sss_artist artist;
     ms_sss_errors errors;
     ms_status status;
     int i;
@@ -93,7 +92,6 @@ static ms_status kernels(const ms_allocator *allocator)
     STEP(ms_sss_profile_from_gaussians(&profile[2], 1, sigma, weight, allocator, NULL));
     STEP(ms_sss_profile_from_burley(&profile[3], one, one, allocator, NULL));
     STEP(ms_sss_designer_create(&designer, profile[2], 4, allocator, NULL));
-    STEP(ms_sss_fit_artist(designer, &artist));
     STEP(ms_sss_kernel_build(&kernel, designer, NULL, NULL));
     STEP(ms_sss_kernel_measure(&errors, &kernel, designer));
     ms_sss_designer_destroy(designer);

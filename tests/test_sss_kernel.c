@@ -76,65 +76,52 @@ static ms_sss_profile *gaussian_profile(double sigma)
     return p;
 }
 
-static void line_of_gaussian_rings(void)
+static void strips_of_gaussian_rings(void)
 {
     ms_sss_profile *g = gaussian_profile(1), *p = rings_of(g, 40000, 8.6, 0);
-    double line = 0, strip = 0, disc = 0, x, v[3];
+    double strip = 0, disc = 0, x, v[3];
     for (x = 0; x < 6; x += 0.0371) {
-        ms_sss_profile_line(p, x, v);
-        line = fmax(line, fabs(v[1] - exp(-0.5 * x * x) / sqrt(2 * PI)));
         ms_sss_profile_strip(p, x, v);
         strip = fmax(strip, fabs(v[1] - erf(x * sqrt(0.5))));
         ms_sss_profile_disc(p, x, v);
         disc = fmax(disc, fabs(v[1] + expm1(-0.5 * x * x)));
     }
-    CHECK_LE(line, 1e-10);  /* what the issue asks; rings 0.0002 sigma wide leave (width^2)^2 of curvature */
     CHECK_LE(strip, 1e-12); /* sums of 40000 exact pieces: rounding */
     CHECK_LE(disc, 1e-12);
-    ms_sss_profile_line(g, 0.7, v);
-    CHECK_NEAR(v[0], exp(-0.245) / sqrt(2 * PI), 1e-15);
     ms_sss_profile_strip(g, 0.7, v);
     CHECK_NEAR(v[0], erf(0.7 * sqrt(0.5)), 1e-15);
-    TEST_NOTE("a_p of 40000 rings within %.1e, strips %.1e, discs %.1e", line, strip, disc);
+    TEST_NOTE("strips of 40000 rings within %.1e, discs %.1e", strip, disc);
     ms_sss_profile_destroy(p);
     ms_sss_profile_destroy(g);
 }
 
-/* A uniform disc and a uniform ring: chords by Pythagoras. */
+/* The part of a disc of radius r that lies within x of a line through its center. */
+static double disc_within(double r, double x)
+{
+    return x < r ? 2 * (x * sqrt((r - x) * (r + x)) + r * r * asin(x / r)) : PI * r * r;
+}
+
+/* A uniform ring with a dark middle and a hole. */
 static void exact_chords(void)
 {
-    double edge[3] = {0.5, 2, 3}, rd[2], x, v[3], worst = 0, strip = 0, before = 0;
-    const double *value[3];
+    const double edge[3] = {0.5, 2, 3}, rd[2] = {0, 1}, *const value[3] = {rd, rd, rd};
+    double x, v[3], worst = 0;
     ms_sss_profile *p;
-    rd[0] = 0;
-    rd[1] = 1;
-    value[0] = value[1] = value[2] = rd;
     CHECK(ms_sss_profile_from_rings(&p, 2, edge, value, 1, NULL, NULL) == MS_OK);
     for (x = 0; x < 3.2; x += 0.01) {
-        double expected = 2 * ((x < 3 ? sqrt((3 - x) * (3 + x)) : 0) - (x < 2 ? sqrt((2 - x) * (2 + x)) : 0));
-        ms_sss_profile_line(p, x, v);
-        worst = fmax(worst, fabs(v[2] - expected));
+        ms_sss_profile_strip(p, x, v);
+        worst = fmax(worst, fabs(v[2] - (disc_within(3, x) - disc_within(2, x))));
     }
-    CHECK_LE(worst, 1e-14);           /* two square roots of numbers below 9 */
-    for (x = 0; x < 3.2; x += 0.01) { /* a strip is the integral of lines: Simpson, except where a chord begins */
-        double a[3], b[3], m[3], s[3];
-        ms_sss_profile_line(p, x, a);
-        ms_sss_profile_line(p, x + 0.005, m);
-        ms_sss_profile_line(p, x + 0.01, b);
-        ms_sss_profile_strip(p, x + 0.01, s);
-        if (x < 1.98) strip = fmax(strip, fabs((s[0] - before) - 2 * 0.01 / 6 * (a[0] + 4 * m[0] + b[0])));
-        before = s[0];
-    }
-    CHECK_LE(strip, 1e-4); /* Simpson's rule near the square-root end at 2 */
-    CHECK_NEAR(before, PI * 5, 1e-12);
-    TEST_NOTE("chords within %.1e, strip of everything within %.1e", worst, fabs(before - PI * 5));
+    CHECK_LE(worst, 1e-13); /* a few roundings of numbers up to 81, the fourth power of the radius */
+    CHECK_NEAR(v[0], PI * 5, 1e-12);
+    TEST_NOTE("strips of a ring within %.1e", worst);
     ms_sss_profile_destroy(p);
 }
 
 /* The integral of R_d along a line at distance x, with y = x sinh u, by the trapezoidal rule. */
 static double line_integral(const ms_sss_profile *p, double x, int c)
 {
-    double sum = 0, h = 1.0 / 32, u, v[3];
+    double sum = 0, h = 1.0 / 64, u, v[3];
     for (u = -20; u <= 20; u += h) {
         ms_sss_profile_value(p, x * cosh(u), v);
         sum += v[c] * x * cosh(u);
@@ -142,54 +129,59 @@ static double line_integral(const ms_sss_profile *p, double x, int c)
     return sum * h;
 }
 
-static void line_of_burley(void)
+static void strips_of_burley(void)
 {
     ms_sss_profile *p = burley_profile(0.4, 1, 2.5);
-    double worst = 0, x, a[3], s0[3], s1[3], m[3], b[3];
+    double worst = 0, x, step, s0[3], s1[3];
     int c;
     for (x = 0.01; x < 8; x *= 1.7)
-        for (c = 0; c < 3; ++c) {
-            ms_sss_profile_line(p, x, a);
-            worst = fmax(worst, fabs(a[c] / line_integral(p, x, c) - 1));
+        for (c = 0; c < 3; ++c) { /* Simpson's rule over a 500th of x: its error, step^5, is below rounding */
+            step = 0.002 * x;
+            ms_sss_profile_strip(p, x, s0);
+            ms_sss_profile_strip(p, x + step, s1);
+            worst = fmax(worst,
+                         fabs(s1[c] - s0[c] -
+                              2 * step / 6 *
+                                  (line_integral(p, x, c) + 4 * line_integral(p, x + step / 2, c) +
+                                   line_integral(p, x + step, c))));
         }
-    CHECK_LE(worst, 1e-10); /* the quadrature's step and the closed form's are both past 1e-13 */
-    ms_sss_profile_line(p, 1, a);
-    ms_sss_profile_line(p, 1.001, m);
-    ms_sss_profile_line(p, 1.002, b);
-    ms_sss_profile_strip(p, 1, s0);
-    ms_sss_profile_strip(p, 1.002, s1);
-    for (c = 0; c < 3; ++c) /* Simpson over 0.002: error h^5 below rounding of the difference */
-        CHECK_NEAR(s1[c] - s0[c], 2 * 0.002 / 6 * (a[c] + 4 * m[c] + b[c]), 1e-13);
+    CHECK_LE(worst, 1e-13);
     ms_sss_profile_strip(p, 0, s0);
     ms_sss_profile_strip(p, 200, s1);
     CHECK_NEAR(s0[0], 0, 1e-14);
     CHECK_NEAR(s1[0], 1, 1e-14);
-    ms_sss_profile_line(p, 0, a);
-    CHECK(a[0] > 1e300); /* the pole of K_0 */
-    TEST_NOTE("K_0 form within %.1e of quadrature", worst);
+    TEST_NOTE("strips by Ki_1 within %.1e of quadrature", worst);
     ms_sss_profile_destroy(p);
 }
 
-/* Values, lines and radii of the study (printed with 10 to 15 digits). */
+/* Values and radii of the study (printed with 10 to 15 digits), and its a_p: the lines through the values, the slope of
+   the strips. */
 static void reference_profiles(void)
 {
     json *j = json_load("tests/data/sss_profiles.json");
     const json *x = json_get(j, "x");
     const char *const name[2] = {"deon_skin", "burley"}, *const radius[4] = {"r50", "r90", "r99", "r999"};
     const double fraction[4] = {0.5, 0.9, 0.99, 0.999};
-    double worst = 0;
+    double worst = 0, slope = 0;
     int n, c, i;
     for (n = 0; n < 2; ++n) {
         ms_sss_profile *p = n == 0 ? skin_profile() : burley_profile(1, 0.5, 0.25);
         for (c = 0; c < 3; ++c) {
             const json *channel = &json_get(j, name[n])->child[c];
             for (i = 0; i < x->count; ++i) {
-                double v[3], rd = json_number(&json_get(channel, "Rd")->child[i]),
-                             ap = json_number(&json_get(channel, "ap")->child[i]);
-                ms_sss_profile_value(p, x->child[i].number, v);
+                double v[3], at = x->child[i].number, h = 1e-3 * at, low[2][3], high[2][3];
+                double rd = json_number(&json_get(channel, "Rd")->child[i]),
+                       ap = json_number(&json_get(channel, "ap")->child[i]);
+                int k;
+                ms_sss_profile_value(p, at, v);
                 worst = fmax(worst, fabs(v[c] / rd - 1));
-                ms_sss_profile_line(p, x->child[i].number, v);
-                worst = fmax(worst, fabs(v[c] / ap - 1));
+                worst = fmax(worst, fabs(line_integral(p, at, c) / ap - 1));
+                for (k = 0; k < 2; ++k) {
+                    ms_sss_profile_strip(p, at - (k + 1) * h, low[k]);
+                    ms_sss_profile_strip(p, at + (k + 1) * h, high[k]);
+                }
+                v[c] = (8 * (high[0][c] - low[0][c]) - (high[1][c] - low[1][c])) / (24 * h);
+                slope = fmax(slope, fabs(v[c] - ap) * h);
             }
             for (i = 0; i < 4; ++i) {
                 double r[3];
@@ -200,7 +192,8 @@ static void reference_profiles(void)
         ms_sss_profile_destroy(p);
     }
     CHECK_LE(worst, 1e-11); /* printed with 15 digits; a_p by adaptive quadrature */
-    TEST_NOTE("R_d and a_p within %.1e", worst);
+    CHECK_LE(slope, 1e-14); /* times the step: what rounding of strips, up to 1, leaves of their differences */
+    TEST_NOTE("R_d and a_p within %.1e, strips' slope times step %.1e", worst, slope);
     json_free(j);
 }
 
@@ -221,11 +214,11 @@ static void samples_and_noise(void)
     for (c = 0; c < 3; ++c) CHECK_NEAR(total[c], 1, 1e-3); /* linear in r^2 over 1.8% steps */
     for (i = 0; i < 300; ++i) {
         double a[3];
-        ms_sss_profile_line(p, r[i], a);
-        ms_sss_profile_line(skin, r[i], v);
+        ms_sss_profile_strip(p, r[i], a);
+        ms_sss_profile_strip(skin, r[i], v);
         worst = fmax(worst, fabs(a[0] - v[0]));
     }
-    CHECK_LE(worst, 3e-3); /* of a_p(0) = 1.6 per mm, by the same steps */
+    CHECK_LE(worst, 1e-3); /* of a total of 1, by the same steps */
     noisy = rings_of(skin, 600, 12, 0.3);
     ms_sss_profile_reflectance(noisy, total);
     for (c = 0; c < 3; ++c) { /* the slopes within rings must not change the energy: strip, disc and rings agree */
@@ -666,28 +659,30 @@ static void reference_kernels(void)
 
 /* Every model of the study at R = 96. Signals without chance agree to the digits printed; the texture is another
    picture, within 5%. */
-/* The thesis's table 5.2 (mm): the fit to d'Eon's skin, and the look that an artist chose. */
-static const ms_sss_artist close_fit = {{0.034, 0.029, 0.016}, {1, 0.48, 0.2}, {0.37, 0.37, 0.37}};
-static const ms_sss_artist production = {{0.25, 0.08, 0.02}, {1, 0.3, 0.05}, {0.6, 0.6, 0.6}};
+/* A two-Gaussian model (5.6): the near and the far one's sigma in mm, and the near one's share. */
+typedef struct two_gaussians {
+    double sigma_mm[2][3], near_share[3];
+} two_gaussians;
+
+/* The thesis's table 5.2: the fit to d'Eon's skin, and the look that an artist chose. */
+static const two_gaussians close_fit = {{{0.034, 0.029, 0.016}, {1, 0.48, 0.2}}, {0.37, 0.37, 0.37}};
+static const two_gaussians production = {{{0.25, 0.08, 0.02}, {1, 0.3, 0.05}}, {0.6, 0.6, 0.6}};
 
 /* The kernel of a two-Gaussian model by its own profile, with d's cells. */
-static ms_sss_errors artist_errors(const ms_sss_artist *a, const ms_sss_designer *d)
+static ms_sss_errors artist_errors(const two_gaussians *a, const ms_sss_designer *d)
 {
     const ms_sss_kernel_options o = dense_model(MS_SSS_PREINTEGRATED, 1);
     static ms_sss_kernel k;
-    double sigma[2][3], weight[2][3], radius[3];
+    double weight[2][3], radius[3];
     ms_sss_designer *own;
     ms_sss_profile *p;
     ms_sss_errors e;
     int c;
     for (c = 0; c < 3; ++c) {
-        sigma[0][c] = a->sigma_near_mm[c];
-        sigma[1][c] = a->sigma_far_mm[c];
-        weight[0][c] = a->near_weight[c];
-        weight[1][c] = 1 - a->near_weight[c];
+        weight[0][c] = a->near_share[c];
+        weight[1][c] = 1 - a->near_share[c];
     }
-    CHECK_INT(ms_sss_profile_from_gaussians(&p, 2, (const double(*)[3])sigma, (const double(*)[3])weight, NULL, NULL),
-              MS_OK);
+    CHECK_INT(ms_sss_profile_from_gaussians(&p, 2, a->sigma_mm, (const double(*)[3])weight, NULL, NULL), MS_OK);
     ms_sss_kernel_build(&k, d, &o, NULL);
     ms_sss_profile_radius(p, 0.99, radius);
     own = designer_for(p, fmax(radius[0], fmax(radius[1], radius[2])) / (double)k.offset_mm[1] - 0.5);
@@ -696,6 +691,13 @@ static ms_sss_errors artist_errors(const ms_sss_artist *a, const ms_sss_designer
     ms_sss_designer_destroy(own);
     ms_sss_profile_destroy(p);
     return e;
+}
+
+/* The part of a Gaussian that cell i holds. */
+static double gaussian_cell(double sigma_mm, double cell_mm, int i)
+{
+    const double unit = cell_mm / (sigma_mm * sqrt(2.0));
+    return 0.5 * (erf((i + 0.5) * unit) - erf((i - 0.5) * unit));
 }
 
 static void reference_errors(void)
@@ -729,16 +731,16 @@ static void reference_errors(void)
     ms_sss_profile *skin = skin_profile();
     ms_sss_designer *d = designer_for(skin, 96);
     static ms_sss_kernel k;
-    ms_sss_artist artist;
-    double worst = 0, worst_texture = 0;
+    const ms_sss_kernel_options artist = dense_model(MS_SSS_ARTIST, 1);
+    double worst = 0, worst_texture = 0, off_artist = 0;
     size_t n;
-    int c;
+    int c, i;
     for (n = 0; n < sizeof row / sizeof row[0]; ++n) {
         const json *err = json_get(json_get(models, row[n].name), "err");
-        const char *const signal[5] = {"vstep", "dstep", "disk_small_r10", "disk_large_r120", "natural_1f"};
+        const char *const signal[3] = {"vstep", "dstep", "natural_1f"};
         ms_sss_kernel_options o = dense_model(row[n].model, row[n].terms);
         ms_sss_errors e;
-        double found[5];
+        double found[3];
         int s;
         if (row[n].model == MS_SSS_IMAGE_OPTIMAL) o.tap_count = 33, o.no_delta = 0; /* the study: a tap every cell */
         if (strcmp(row[n].name, "artist_close_mm") == 0) e = artist_errors(&close_fit, d);
@@ -746,34 +748,37 @@ static void reference_errors(void)
         else e = built(&k, d, &o);
         found[0] = e.vertical_step;
         found[1] = e.diagonal_step;
-        found[2] = e.small_disk;
-        found[3] = e.large_disk;
-        found[4] = e.texture;
-        for (s = 0; s < 5; ++s) {
+        found[2] = e.texture;
+        for (s = 0; s < 3; ++s) {
             double expected = json_number(&json_get(err, signal[s])->child[0]);
-            double tolerance = s < 4 ? 0.05 : row[n].texture;
+            double tolerance = s < 2 ? 0.05 : row[n].texture;
             /* 1e-6: weights are floats */
             if (found[s] > (1 + tolerance) * expected + 1e-6 ||
                 (!row[n].better && found[s] < (1 - tolerance) * expected - 1e-6))
                 TEST_FAIL("%s, %s: %.5f, study %.5f", row[n].name, signal[s], found[s], expected);
             if (!row[n].better && expected > 1e-6) {
                 double off = fabs(found[s] / expected - 1);
-                if (s < 4) worst = fmax(worst, off);
+                if (s < 2) worst = fmax(worst, off);
                 else worst_texture = fmax(worst_texture, off);
             }
         }
     }
-    TEST_NOTE("%d models: steps and disks within %.2f%%, texture within %.1f%%", (int)n, 100 * worst,
-              100 * worst_texture);
-    CHECK(ms_sss_fit_artist(d, &artist) == MS_OK && ms_sss_fit_artist(NULL, &artist) == MS_INVALID_ARGUMENT);
+    TEST_NOTE("%d models: steps within %.2f%%, texture within %.1f%%", (int)n, 100 * worst, 100 * worst_texture);
+    CHECK_INT(ms_sss_kernel_build(&k, d, &artist, NULL), MS_OK);
     for (c = 0; c < 3; ++c) { /* the study's parameters, printed with 5 digits, from its own few starts */
         const json *fit = &json_get(json_get(json_get(j, "deon_skin"), "info"),
                                     "artist_fit_to_ap_[sigma_n_mm,sigma_f_mm,w]")
                                ->child[c];
-        CHECK_NEAR(artist.sigma_near_mm[c] / json_number(&fit->child[0]), 1, 0.01);
-        CHECK_NEAR(artist.sigma_far_mm[c] / json_number(&fit->child[1]), 1, 0.01);
-        CHECK_NEAR(artist.near_weight[c] / json_number(&fit->child[2]), 1, 0.01);
+        const double near_mm = json_number(&fit->child[0]), far_mm = json_number(&fit->child[1]);
+        const double share = json_number(&fit->child[2]), cell_mm = (double)k.offset_mm[1];
+        for (i = 0; i <= k.tap_count / 2; ++i) {
+            const double expected = share * gaussian_cell(near_mm, cell_mm, i) +
+                (1 - share) * gaussian_cell(far_mm, cell_mm, i);
+            off_artist = fmax(off_artist, fabs((double)k.weight[0][i][c] - expected));
+        }
     }
+    CHECK_LE(off_artist, 1e-3); /* parameters from other starts, which agree within 1%, move weights by as much */
+    TEST_NOTE("the fitted artist's weights within %.1e of the study's parameters", off_artist);
     ms_sss_designer_destroy(d);
     ms_sss_profile_destroy(skin);
     json_free(j);
@@ -1308,7 +1313,7 @@ static void memory(void)
     bytes_refused = SIZE_MAX;
     CHECK_INT(ms_sss_designer_create(&d, skin, 128, &allocator, NULL), MS_OK);
     designer = bytes_most = bytes_held;
-    CHECK_LE(designer, 2.3e6);
+    CHECK_LE(designer, 2.05e6);
     o.model = MS_SSS_PREINTEGRATED;
     o.placement = MS_SSS_QUANTILE;
     CHECK_INT(ms_sss_kernel_build(&k, d, &o, NULL), MS_OK);
@@ -1480,9 +1485,9 @@ static void bands(void)
 
 int main(int argc, char **argv)
 {
-    static const test_case cases[] = {{"line of Gaussian rings", line_of_gaussian_rings},
+    static const test_case cases[] = {{"strips of Gaussian rings", strips_of_gaussian_rings},
                                       {"exact chords", exact_chords},
-                                      {"line of Burley", line_of_burley},
+                                      {"strips of Burley", strips_of_burley},
                                       {"reference profiles", reference_profiles},
                                       {"samples and noise", samples_and_noise},
                                       {"refused profiles", refused_profiles},

@@ -609,7 +609,7 @@ static void show_models(FILE *page)
         snprintf(name, sizeof name, "model_%02d.png", m);
         save_row(rows, gain, name);
         fprintf(page, "<tr><td>%s<td><img src=\"%s\"><td>%d<td>%.1f<td>%.1f<td>%.1f\n", models[m].name, name,
-                2 * models[m].terms, 100 * e.vertical_step, 100 * e.large_disk, 100 * e.texture);
+                2 * models[m].terms, 100 * e.vertical_step, 100 * e.diagonal_step, 100 * e.texture);
     }
     free(workspace);
     for (k = 0; k < SIGNALS; ++k) image_free(&rows[k]);
@@ -642,7 +642,7 @@ int main(int argc, char **argv)
           "<h1>Kernel models, skin1</h1>\n"
           "<p>A dot (brightened), a disk and a step by ms_sss_filter. Errors in % of the right "
           "result's standard deviation, at a radius of 48 pixels.\n<table>\n"
-          "<tr><th>model<th>dot, disk, step<th>1D passes<th>step<th>disk<th>1/f "
+          "<tr><th>model<th>dot, disk, step<th>1D passes<th>step<th>45 degree step<th>1/f "
           "texture\n",
           page);
     lines = file_create(file("sss.txt"), &out_truth);

@@ -125,10 +125,8 @@ static void print_kernel(const ms_sss_kernel *k, const ms_sss_errors *e)
     int i, t;
     printf("taps %d, terms %d: %d reads a pixel; radius %.5g mm\n", k->tap_count, k->term_count,
            2 * k->tap_count * k->term_count, (double)k->radius_mm);
-    printf(
-        "errors %%: texture %.3f, vertical step %.3f, diagonal step %.3f, small disk %.3f, large disk %.3f, dot %.3f\n",
-        100 * e->texture, 100 * e->vertical_step, 100 * e->diagonal_step, 100 * e->small_disk, 100 * e->large_disk,
-        100 * e->dot);
+    printf("errors %%: texture %.3f, vertical step %.3f, diagonal step %.3f, dot %.3f\n", 100 * e->texture,
+           100 * e->vertical_step, 100 * e->diagonal_step, 100 * e->dot);
     printf("reflectance %.6f %.6f %.6f\n", (double)k->reflectance[0], (double)k->reflectance[1],
            (double)k->reflectance[2]);
     printf(
