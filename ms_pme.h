@@ -199,7 +199,8 @@ typedef struct ms_pme_function {
     size_t residual_count; /* m >= 1 */
     /* r [m] out. jacobian [m][n] row-major out, d r_i / d x_j; NULL: not asked for. */
     ms_status (*residuals)(void *user, const double *x, double *r, double *jacobian);
-    int residuals_only;          /* non-zero: `residuals` cannot fill a Jacobian; forward differences take its place */
+    int residuals_only;          /* non-zero: `residuals` cannot fill a Jacobian; forward differences take its place, of
+                                    steps for double precision (a match: 1e-3 of the range, for pictures of floats) */
     double jacobian_cost;        /* cost of a call with a Jacobian, in evaluations; 0: 1 + n / 4 */
     const double *lower, *upper; /* [n]; NULL: no bound on that side; infinities allowed */
 } ms_pme_function;
@@ -208,25 +209,17 @@ typedef struct ms_pme_function {
 typedef enum ms_pme_stop {
     MS_PME_STOP_CONVERGED = 0, /* the step or the decrease fell below its tolerance, or f is 0 */
     MS_PME_STOP_COST = 1,      /* max_cost spent */
-    MS_PME_STOP_SECONDS = 2,   /* max_seconds spent */
-    MS_PME_STOP_INITIAL = 3    /* a match with initial_only: nothing was refined */
+    MS_PME_STOP_INITIAL = 2    /* a match with initial_only: nothing was refined */
 } ms_pme_stop;
 
 /* All zero gives the defaults; ms_pme_defaults() returns that. */
 typedef struct ms_pme_options {
     double max_cost;    /* in evaluations (a Jacobian counts jacobian_cost), never exceeded; 0: 1000, or what 20 steps
                            cost if that is more (a match: 50, or 8 steps) */
-    double max_seconds; /* of `clock`, from the call; 0: no limit. The first evaluation is always made; a later
-                           callback only if, at the pace so far, it ends less than 5% after the limit */
     double tolerance;   /* relative decrease and relative step taken as converged; 0: 1e-10 */
-    double difference_step; /* step of forward differences, as a fraction of upper - lower; without both bounds, of
-                               |x_j| (of the start's, or 1, if that is more or x_j is 0). 0: near the best for residuals
-                               in double precision (a match: 1e-3, for pictures of floats) */
     int restarts;  /* further starts while cost is left. Each ends at a relative decrease of 1e-3 unless it improves on
                       the best point */
     uint64_t seed; /* of the random starts */
-    double (*clock)(void *user); /* seconds, from any origin; may be NULL without max_seconds */
-    void *clock_user;
     ms_allocator allocator; /* one block of about (m n + 2 m + 2 n^2) doubles, released before the call returns */
 } ms_pme_options;
 
@@ -279,7 +272,7 @@ typedef struct ms_pme_renderer {
 MS_API ms_pme_renderer ms_pme_renderer_defaults(void); /* all zero */
 
 typedef struct ms_pme_match_options {
-    ms_pme_options refine;    /* max_cost is spent after the candidates; max_seconds counts from the call */
+    ms_pme_options refine;    /* max_cost is spent after the candidates */
     int initial_only;         /* non-zero: the best candidate is the answer */
     const double *candidates; /* [candidate_count][n]: the previous frame's answer, the source material; may be NULL */
     int candidate_count;
@@ -570,10 +563,10 @@ static double ms_pme__square(double x)
 typedef struct ms_pme__run {
     const ms_pme_function *function;
     const ms_pme_options *options;
-    int n, boxed; /* boxed: a match whose parameters all have a range */
+    int n, match; /* match: differences are of pictures of floats */
+    int boxed;    /* a match whose parameters all have a range */
     size_t m;
-    double max_cost, tolerance, jacobian_cost, start_time;
-    double charged, reserve;                 /* cost since the start, and of what follows the run: for max_seconds */
+    double max_cost, tolerance, jacobian_cost;
     double *lower, *upper, *best, best_norm; /* [n] each; |r| at the best point */
     double *typical;                         /* [n] the range of a parameter, else the size of its start */
     double *residual, *trial_residual;       /* [m] at the point of the Jacobian; at the last other point */
@@ -608,26 +601,12 @@ static int ms_pme__fail(ms_pme__run *run, ms_status status)
     return run->stopped = 1;
 }
 
-/* Non-zero, and the run is stopped: a callback of this cost would end after max_seconds, at the pace so far. */
-static int ms_pme__late(ms_pme__run *run, double cost)
-{
-    const ms_pme_options *options = run->options;
-    double spent;
-    if (!(options->max_seconds > 0) || !(run->charged > 0)) return 0;
-    spent = options->clock(options->clock_user) - run->start_time;
-    return (spent >= options->max_seconds ||
-            spent + spent / run->charged * (cost + run->reserve) > 1.05 * options->max_seconds) &&
-        ms_pme__stop(run, MS_PME_STOP_SECONDS);
-}
-
 /* Charges the budget before a callback. Non-zero: the run has stopped. */
 static int ms_pme__charge(ms_pme__run *run, double cost)
 {
     if (run->stopped || run->uncharged) return run->stopped;
     if (run->result.cost + cost > run->max_cost * (1 + 1e-12)) return ms_pme__stop(run, MS_PME_STOP_COST);
-    if (ms_pme__late(run, cost)) return 1;
     run->result.cost += cost;
-    run->charged += cost;
     return 0;
 }
 
@@ -662,9 +641,9 @@ static double ms_pme__step_cost(const ms_pme__run *run)
 /* The step of a forward difference in x_j, inside the box. */
 static double ms_pme__difference_step(const ms_pme__run *run, double x, int j)
 {
-    double typical = run->typical[j], fraction = run->options->difference_step, h;
-    if (fraction > 0)
-        h = fraction * (ms__finite(run->upper[j] - run->lower[j]) ? typical : ms_pme__max(fabs(x), typical));
+    double typical = run->typical[j], h;
+    if (run->match)
+        h = 1e-3 * (ms__finite(run->upper[j] - run->lower[j]) ? typical : ms_pme__max(fabs(x), typical));
     else h = 1.5e-8 * ms_pme__max(fabs(x), 1e-2 * typical); /* sqrt(DBL_EPSILON) */
     if (!(h > 1e-15 * fabs(x))) h = 1e-15 * fabs(x) + DBL_MIN;
     if (x + h <= run->upper[j]) return h;
@@ -1079,9 +1058,8 @@ static ms_status ms_pme__check_count(int n, ms_error *error)
 static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_options *options, const double *x,
                                ms_error *error)
 {
-    static const char *const name[5] = {"max_cost", "max_seconds", "tolerance", "difference_step", "jacobian_cost"};
-    const double value[5] = {options->max_cost, options->max_seconds, options->tolerance, options->difference_step,
-                             function->jacobian_cost};
+    static const char *const name[3] = {"max_cost", "tolerance", "jacobian_cost"};
+    const double value[3] = {options->max_cost, options->tolerance, function->jacobian_cost};
     int j;
     if (ms_pme__check_count(function->parameter_count, error) != MS_OK) return MS_INVALID_ARGUMENT;
     if (function->residuals == NULL) return ms_pme__null("function->residuals", error);
@@ -1089,11 +1067,10 @@ static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_opt
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "residual_count is 0, expected 1 or more");
     if (options->restarts < 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "restarts is %d, expected 0 or more", options->restarts);
-    for (j = 0; j < 5; ++j)
+    for (j = 0; j < 3; ++j)
         if (!ms__finite(value[j]) || value[j] < 0)
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g, expected 0 (the default) or a number above it",
                             name[j], value[j]);
-    if (options->max_seconds > 0 && options->clock == NULL) return ms_pme__null("options->clock", error);
     for (j = 0; j < function->parameter_count; ++j) {
         double low = function->lower ? function->lower[j] : -MS_PME__INF,
                high = function->upper ? function->upper[j] : MS_PME__INF;
@@ -1178,6 +1155,7 @@ static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function
     run->options = options;
     run->n = function->parameter_count;
     run->m = function->residual_count;
+    run->match = o != NULL;
     run->tolerance = options->tolerance > 0 ? options->tolerance : 1e-10;
     run->bad = -1;
     run->jacobian_cost = function->jacobian_cost > 0 ? function->jacobian_cost : 1 + 0.25 * run->n;
@@ -1187,7 +1165,6 @@ static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function
     run->best_norm = MS_PME__INF;
     run->random = options->seed;
     run->random = ms_pme__random(&run->random); /* seeds that follow each other start apart */
-    run->start_time = options->max_seconds > 0 ? options->clock(options->clock_user) : 0;
     ms_pme__layout(run, o, &arena);
     run->block_size = ms__size_add(arena.used, 63);
     run->block = ms__alloc(&options->allocator, run->block_size);
@@ -1412,7 +1389,6 @@ static int ms_pme__candidates(ms_pme__run *run, ms_pme__objective *o, ms_pme_mat
     for (i = 0; (i < o->total || (i == o->total && !ms__finite(run->best_norm))) && !run->stopped; ++i) {
         double before = run->best_norm, norm;
         int finite = 1;
-        if (ms_pme__late(run, 1)) break;
         ms_pme__candidate(run, o, i, x);
         for (j = 0; j < n; ++j) {
             finite &= ms__finite(x[j]);
@@ -1515,7 +1491,6 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
                               ms_error *error)
 {
     ms_pme_match_options defaults = ms_pme_match_defaults();
-    ms_pme_options refine;
     ms_pme_match_result answer;
     ms_pme_function function;
     ms_pme__objective o;
@@ -1535,11 +1510,8 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     if (status != MS_OK) return status;
     if (x == NULL) return ms_pme__null("x", error);
     ms_pme__objective_init(&o, &function);
-    refine = options->refine;
-    if (!(refine.difference_step > 0) && !(refine.difference_step < 0)) refine.difference_step = 1e-3; /* of floats */
-    status = ms_pme__begin(&run, &function, &refine, NULL, &o, error);
+    status = ms_pme__begin(&run, &function, &options->refine, NULL, &o, error);
     if (status != MS_OK) return status;
-    run.reserve = 1 + (options->deviation ? ms_pme__step_cost(&run) - 1 : 0); /* the last render, the deviations */
     for (j = 0, run.boxed = 1; j < run.n; ++j) run.boxed &= ms__finite(run.upper[j] - run.lower[j]);
 
     /* candidates, without a limit of cost */

@@ -2,7 +2,7 @@
    it. cc -O2 -I. examples/tools/match.c -o build/match -lm
 
      build/match RENDERER.safetensors TARGET.(png|ppm|pgm|pfm) [--inversion DIR] [--weights MASK.(png|pgm|ppm|pfm)]
-                 [--start X.csv] [--cost 50] [--seconds 0] [--robust] [--align] [--exposure] [--tint] [--freeze
+                 [--start X.csv] [--cost 50] [--robust] [--align] [--exposure] [--tint] [--freeze
                  NAME,NUMBER,...] [--pull 0] [--change 1] [--view RENDERER.safetensors TARGET]... [--out-params CSV]
                  [--out-png PNG]
 
@@ -10,9 +10,7 @@
    RGB or with alpha (a pixel counts as much as it covers); display values in PNG, PPM and PGM, linear light in a PFM,
    which is converted. DIR holds inversion networks for first guesses, X.csv one more: the source material, or the last
    frame's answer; without either the search starts in the middle of the box. MASK: the weight of each pixel, a channel
-   each where it has color. --cost: renders to spend on the refinement, --seconds: no longer than that, from
-   when all files are read; the objective, one candidate and one picture are always made. --robust: what
-   fits badly (a logo, a stitch) counts as an outlier. --exposure, --tint: a gain of the picture, or one a channel with
+   each where it has color. --cost: renders to spend on the refinement. --robust: what fits badly (a logo, a stitch) counts as an outlier. --exposure, --tint: a gain of the picture, or one a channel with
    an offset, is found along, and is not the material's. --align: the target has slipped by up to an eighth of its
    width; it is moved back. --freeze keeps parameters as X.csv has them, --pull holds all of them to it (0.01: a change
    by 1 costs as much as an RMSE of 0.1), --change lets none go further from it: for frames of a sequence. --view:
@@ -33,7 +31,7 @@
 #include "materials.h"
 
 static const char usage_text[] =
-    "usage: match RENDERER.safetensors TARGET.(png|ppm|pgm|pfm) [--inversion DIR] [--weights MASK] [--start X.csv] [--cost 50] [--seconds 0] "
+    "usage: match RENDERER.safetensors TARGET.(png|ppm|pgm|pfm) [--inversion DIR] [--weights MASK] [--start X.csv] [--cost 50] "
     "[--robust] [--align] [--exposure] [--tint] [--freeze NAME,...] [--pull 0] [--change 1] [--view RENDERER TARGET]... [--out-params CSV] [--out-png PNG]";
 
 static int fail(const char *path, const char *what)
@@ -190,7 +188,7 @@ static void print_open(const double *deviation, int n, const char *names)
 
 int main(int argc, char **argv)
 {
-    static const char *const stop[] = {"converged", "cost spent", "time spent"};
+    static const char *const stop[] = {"converged", "cost spent"};
     static matcher m, further[matcher_views_max];
     static matcher_views views;
     static char header[32768], text[40000];
@@ -201,7 +199,7 @@ int main(int argc, char **argv)
     matcher *all[matcher_views_max];
     double low[MS_PME_PARAMETERS_MAX], high[MS_PME_PARAMETERS_MAX], pulls[MS_PME_PARAMETERS_MAX],
         pull = 0, change = 1, deviation[MS_PME_PARAMETERS_MAX], x[MS_PME_PARAMETERS_MAX], source[MS_PME_PARAMETERS_MAX],
-        cost = 50, limit = 0, seconds;
+        cost = 50, seconds;
     ms_pme_match_options options = ms_pme_match_defaults();
     ms_pme_match_result result;
     matcher_found found;
@@ -236,9 +234,6 @@ int main(int argc, char **argv)
             if (!number(argv[++i], 0, &pull)) return fail(argv[i], "--pull takes a number from 0 to 1e9") + 1;
         } else if (strcmp(argv[i], "--cost") == 0) {
             if (!number(argv[++i], 1, &cost)) return fail(argv[i], "--cost takes a number from 1 to 1e9") + 1;
-        } else if (strcmp(argv[i], "--seconds") == 0) {
-            if (!number(argv[++i], 0, &limit))
-                return fail(argv[i], "--seconds takes a number from 0 (no limit) to 1e9") + 1;
         } else break;
     }
     if (i < argc || target_path == NULL || (count > 1 && (flags || mask_path))) {
@@ -302,7 +297,7 @@ int main(int argc, char **argv)
         return fail(frozen, "--freeze takes names or numbers of parameters") + 1;
 
     /* the match */
-    seconds = matcher_clock(NULL);
+    seconds = matcher_clock();
     m.renderer.lower = low;
     m.renderer.upper = high;
     if (pull > 0) {
@@ -310,8 +305,6 @@ int main(int argc, char **argv)
         options.pull = pulls;
     }
     options.refine.max_cost = cost;
-    options.refine.max_seconds = limit;
-    options.refine.clock = matcher_clock;
     if (light && matcher_hides_surroundings(weight, m.network.size))
         fprintf(stderr,
                 "match: the weights hide the surroundings: the picture cannot tell the color of the light from the "
@@ -324,12 +317,11 @@ int main(int argc, char **argv)
         status = matcher_match(&m, target, weight, &options, flags, x, picture, &result, &found, &error);
     } else {
         status = matcher_views_aim(&views, all, count, target, NULL, &error);
-        if (limit > 0) options.refine.max_seconds = fmax(limit - (matcher_clock(NULL) - seconds), 1e-6);
         if (status == MS_OK)
             status = ms_pme_match(&views.renderer, target, NULL, &options, x, picture, &result, &error);
     }
     if (status != MS_OK) return fail(target_path, error.message);
-    seconds = matcher_clock(NULL) - seconds;
+    seconds = matcher_clock() - seconds;
 
     /* what was found */
     printf("first guess: %s, RMSE %.5f (%.2f of 255)\n",
