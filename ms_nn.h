@@ -370,7 +370,7 @@ typedef struct ms_nn_layer {
 /* Makes a network of a safetensors file with a layer list (grammar in the head comment).
    bytes    [size] must outlive *nn, unchanged: large dense layers are used where they lie
    *nn      out; ms_nn_destroy releases it; untouched on failure
-   error    NULL or filled on failure; position: byte in the file, or 0
+   error    NULL or filled on failure; position: byte in the file, or in the text of ms_nn_layers or ms_nn_input; or 0
    MS_BAD_DATA: file or layer list malformed, shapes that do not fit. MS_UNSUPPORTED: an element type or version that
    this release does not run. MS_OUT_OF_MEMORY. */
 MS_API ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options *options, ms_nn **nn, ms_error *error);
@@ -1024,9 +1024,7 @@ struct ms_nn_file {
     ms_nn_entry *entry;    /* [entries] in the order of the header */
     const ms_nn__record **by_name;
     const ms_nn_entry **by_key;
-    size_t *shape;    /* all dimensions */
-    size_t *value_at; /* [entries] byte in the file after the quote that opens a value */
-    const unsigned char *start;
+    size_t *shape; /* all dimensions */
     char *text;
 };
 
@@ -1126,8 +1124,6 @@ static MS_NN__COLD ms_status ms_nn__header_metadata(ms_nn__json *j, ms_nn__heade
         ms_nn__string key, value;
         if ((status = ms_nn__json_string(j, &h->pool, &key)) != MS_OK) return status;
         if (!ms_nn__take(j, ':')) return ms_nn__refuse(j, "expected ':'");
-        ms_nn__space(j);
-        if (h->file) h->file->value_at[h->entries] = j->base + (size_t)(j->p - j->start) + 1;
         if ((status = ms_nn__json_string(j, &h->pool, &value)) != MS_OK) return status;
         if (h->file) {
             h->file->entry[h->entries].key = key.text;
@@ -1264,7 +1260,7 @@ MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, con
     if ((status = ms_nn__header_object(&j, &h)) != MS_OK) return status;
 
     total = ms__size_add(sizeof *f, ms__size_mul(h.tensors, sizeof(ms_nn__record) + sizeof f->by_name[0]));
-    total = ms__size_add(total, ms__size_mul(h.entries, sizeof(ms_nn_entry) + sizeof f->by_key[0] + sizeof(size_t)));
+    total = ms__size_add(total, ms__size_mul(h.entries, sizeof(ms_nn_entry) + sizeof f->by_key[0]));
     total = ms__size_add(total, ms__size_add(ms__size_mul(h.dimensions, sizeof(size_t)), h.text));
     f = (ms_nn_file *)ms__alloc(&o.allocator, total);
     if (f == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a list of %z tensors", h.tensors);
@@ -1277,9 +1273,7 @@ MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, con
     f->entry = (ms_nn_entry *)(void *)(f->record + h.tensors);
     f->by_name = (const ms_nn__record **)(void *)(f->entry + h.entries);
     f->by_key = (const ms_nn_entry **)(void *)(f->by_name + h.tensors);
-    f->value_at = (size_t *)(void *)(f->by_key + h.entries);
-    f->shape = f->value_at + h.entries;
-    f->start = b;
+    f->shape = (size_t *)(void *)(f->by_key + h.entries);
     f->text = (char *)(f->shape + h.dimensions);
 
     h.tensors = h.entries = h.dimensions = h.text = 0;
@@ -1346,29 +1340,6 @@ MS_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *key)
     for (i = 0; file && key && i < file->entries; ++i)
         if (strcmp(file->entry[i].key, key) == 0) return file->entry[i].value;
     return NULL;
-}
-
-/* The byte of the file that holds character k of a metadata value: escapes are longer than what they stand for. */
-static MS_NN__COLD size_t ms_nn__byte_of(const ms_nn_file *file, const char *key, size_t k)
-{
-    const unsigned char *p;
-    size_t i = 0;
-    uint32_t code;
-    while (strcmp(file->entry[i].key, key) != 0) ++i;
-    for (p = file->start + file->value_at[i]; k > 0; --k) {
-        size_t n = 1;
-        if (*p != '\\') {
-            ++p;
-        } else if (p[1] != 'u') {
-            p += 2;
-        } else {
-            ms_nn__hex4(p + 2, p + 6, &code);
-            n = code >= 0xD800 && code < 0xE000 ? 4 : code < 0x80 ? 1 : code < 0x800 ? 2 : 3;
-            p += n == 4 ? 12 : 6;
-        }
-        k -= n - 1 < k - 1 ? n - 1 : k - 1;
-    }
-    return (size_t)(p - file->start);
 }
 
 /* ---- writer ---------------------------------------------------------------------------------------------------- */
@@ -1690,17 +1661,13 @@ static MS_NN__COLD ms_status ms_nn__json_real(ms_nn__json *j, double *value)
 
 static MS_NN__COLD ms_status ms_nn__json_flag(ms_nn__json *j, int *flag)
 {
-    static const char *const word[] = {"true", "false"};
-    int i;
     ms_nn__space(j);
-    for (i = 0; i < 2; ++i) {
-        const size_t n = strlen(word[i]);
-        if ((size_t)(j->end - j->p) < n || memcmp(j->p, word[i], n) != 0) continue;
-        j->p += n;
-        *flag = i + 1;
-        return MS_OK;
-    }
-    return ms_nn__refuse(j, "expected true or false");
+    *flag = j->end - j->p >= 4 && memcmp(j->p, "true", 4) == 0 ? 1
+        : j->end - j->p >= 5 && memcmp(j->p, "false", 5) == 0  ? 2
+                                                               : 0;
+    if (*flag == 0) return ms_nn__refuse(j, "expected true or false");
+    j->p += 3 + *flag;
+    return MS_OK;
 }
 
 /* n or [n] or [n, m] into out[2]; one number stands for both. *pair: there were two. */
@@ -2479,10 +2446,7 @@ static MS_NN__COLD ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_
     int i;
     memset(&l, 0, sizeof l);
     memset(&b, 0, sizeof b);
-    if ((status = ms_nn__list_read(&l, layers, error)) != MS_OK) {
-        if (error) error->position = ms_nn__byte_of(nn->file, "ms_nn_layers", error->position);
-        return status;
-    }
+    if ((status = ms_nn__list_read(&l, layers, error)) != MS_OK) return status;
     n = (size_t)l.layers;
     l.spec = (ms_nn__spec *)ms_nn__allocate(nn, n, sizeof *l.spec);
     l.channel_input = (size_t *)ms_nn__allocate(nn, ms__size_mul(l.channels, l.channel_inputs), sizeof(size_t));
@@ -2502,8 +2466,7 @@ static MS_NN__COLD ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_
     for (i = 0; i < l.layers; ++i) {
         if (status == MS_OK) status = ms_nn__build_layer(&b, i, error);
         if (status != MS_OK)
-            return ms_nn__name_place(error, status, ms_nn__byte_of(nn->file, "ms_nn_layers", l.spec[i].at), i,
-                                     ms_nn__kind_name[l.spec[i].kind], l.spec[i].name);
+            return ms_nn__name_place(error, status, l.spec[i].at, i, ms_nn__kind_name[l.spec[i].kind], l.spec[i].name);
     }
     if (nn->ops == 0) ms_nn__op_add(&b, MS_NN__DO_ACTIVATE, b.current); /* nothing to do is a copy */
     if (ms__size_mul(nn->channels, ms_nn__count(b.current)) > SIZE_MAX / 64)
@@ -2547,7 +2510,6 @@ static MS_NN__COLD ms_status ms_nn__make(ms_nn_file *file, const ms_nn_options *
         status = ms__fail(error, MS_UNSUPPORTED, 8, "format is '%s'; weights must have PyTorch's layout, pt", format);
     else if ((status = ms_nn__shape_read(&made->input, input, error)) == MS_OK)
         status = ms_nn__build_all(made, layers, error);
-    else if (error) error->position = ms_nn__byte_of(file, "ms_nn_input", error->position);
     if (status != MS_OK) ms_nn_destroy(made);
     else *nn = made;
     return status;
@@ -3109,6 +3071,11 @@ struct ms_nn_collapse {
     double *e;     /* [channels][wide] */
     double rest;
     int has_target;
+    size_t across; /* channels rounded up to MS_NN__DOUBLES; what follows is workspace of a pass, zeros at its ends */
+    double *w;     /* [MS_NN__COLLAPSE_ROWS][wide] rows of W */
+    double *residual; /* [MS_NN__COLLAPSE_ROWS][across] */
+    double *turned;   /* [wide][across] h0 transposed */
+    double *sum;      /* [channels rounded up to 4][wide], then one number */
 };
 
 enum { MS_NN__COLLAPSE_ROWS = 32 }; /* of W in double together: 24 kB of 96 features */
@@ -3120,10 +3087,7 @@ typedef struct ms_nn__pass {
     const float *weight; /* Gram: [rows] */
     const float *target; /* [channels][rows]; NULL: Gram */
     double *sum;         /* [length] */
-    double *w;           /* [MS_NN__COLLAPSE_ROWS][wide] rows of W */
-    double *h0;          /* [wide][across] transposed; across: channels rounded up */
-    double *residual;    /* [MS_NN__COLLAPSE_ROWS][across] */
-    size_t length, across;
+    size_t length;
     int has_h0;
 } ms_nn__pass;
 
@@ -3146,13 +3110,13 @@ static void ms_nn__gram_rows(const ms_nn__pass *p, const size_t *row, size_t n)
     size_t i, k;
     for (i = 0; i < n; ++i) {
         const double root = sqrt((double)p->weight[row[i]]);
-        for (k = 0; k < c->h; ++k) p->w[i * c->wide + k] *= root;
+        for (k = 0; k < c->h; ++k) c->w[i * c->wide + k] *= root;
     }
     job.a_row = 1;
     job.a_column = job.b_row = job.out_row = c->wide;
     job.count = n;
     for (i = 0; i < c->h; i += MS_NN__DOUBLES) {
-        job.a = job.b = p->w + i;
+        job.a = job.b = c->w + i;
         job.out = p->sum + i * c->wide + i;
         job.rows = MS_NN__DOUBLES;
         job.cols = c->wide - i;
@@ -3166,13 +3130,13 @@ static void ms_nn__target_rows(const ms_nn__pass *p, const size_t *row, size_t n
     const ms_nn_collapse *c = p->c;
     ms_nn__product_job job;
     size_t i, ch;
-    memset(p->residual, 0, MS_NN__COLLAPSE_ROWS * p->across * sizeof(double));
-    job.a = p->w; /* W h0, if h0 is not 0 */
+    memset(c->residual, 0, MS_NN__COLLAPSE_ROWS * c->across * sizeof(double));
+    job.a = c->w; /* W h0, if h0 is not 0 */
     job.a_row = c->wide;
     job.a_column = 1;
-    job.b = p->h0;
-    job.b_row = job.out_row = job.cols = p->across;
-    job.out = p->residual;
+    job.b = c->turned;
+    job.b_row = job.out_row = job.cols = c->across;
+    job.out = c->residual;
     job.count = c->h;
     job.rows = ms_nn__round_up(n, 4);
     if (p->has_h0) c->nn->kernels->product(&job);
@@ -3180,14 +3144,14 @@ static void ms_nn__target_rows(const ms_nn__pass *p, const size_t *row, size_t n
         for (ch = 0; ch < c->channels; ++ch) {
             const size_t output = ch * c->m->rows + row[i];
             const double bias = c->m->bias ? (double)ms_nn__float_at(c->m->bias, row[i]) : 0.0;
-            const double res = (double)p->target[output] - bias - p->residual[i * p->across + ch];
-            p->residual[i * p->across + ch] = (double)c->weight[output] * res;
+            const double res = (double)p->target[output] - bias - c->residual[i * c->across + ch];
+            c->residual[i * c->across + ch] = (double)c->weight[output] * res;
             p->sum[p->length - 1] += (double)c->weight[output] * res * res;
         }
-    job.a = p->residual; /* W' (M res) */
+    job.a = c->residual; /* W' (M res) */
     job.a_row = 1;
-    job.a_column = p->across;
-    job.b = p->w;
+    job.a_column = c->across;
+    job.b = c->w;
     job.b_row = job.out_row = job.cols = c->wide;
     job.out = p->sum;
     job.count = n;
@@ -3212,35 +3176,11 @@ static void ms_nn__pass_run(const ms_nn__pass *p)
     for (i = 0; i < p->c->m->rows; ++i) {
         if (ms_nn__pass_sees(p, i)) row[n++] = i;
         if (n < MS_NN__COLLAPSE_ROWS && i + 1 < p->c->m->rows) continue;
-        ms_nn__collapse_rows(p->c, row, n, p->w);
+        ms_nn__collapse_rows(p->c, row, n, p->c->w);
         if (p->target == NULL) ms_nn__gram_rows(p, row, n);
         else ms_nn__target_rows(p, row, n);
         n = 0;
     }
-}
-
-/* The pass and its memory of *bytes, which is released at p->sum; 0: none left. */
-static MS_NN__COLD int ms_nn__pass_make(ms_nn__pass *p, const ms_nn_collapse *c, size_t length, size_t *bytes)
-{
-    ms__arena a;
-    memset(p, 0, sizeof *p);
-    p->c = c;
-    p->length = length;
-    p->across = ms_nn__round_up(c->channels, MS_NN__DOUBLES);
-    for (a.base = NULL;;) {
-        a.used = 0;
-        p->sum = (double *)ms__take(&a, length, sizeof(double));
-        p->w = (double *)ms__take(&a, MS_NN__COLLAPSE_ROWS, ms__size_mul(c->wide, sizeof(double)));
-        p->residual = (double *)ms__take(&a, MS_NN__COLLAPSE_ROWS, ms__size_mul(p->across, sizeof(double)));
-        p->h0 = (double *)ms__take(&a, c->wide, ms__size_mul(p->across, sizeof(double)));
-        *bytes = a.used;
-        if (a.base != NULL) break;
-        a.base = (char *)ms__alloc(&c->nn->options.allocator, a.used);
-        if (a.base == NULL) return 0;
-    }
-    memset(p->w, 0, MS_NN__COLLAPSE_ROWS * c->wide * sizeof(double));
-    memset(p->h0, 0, c->wide * p->across * sizeof(double));
-    return 1;
 }
 
 /* R of W'MW = R'R in place, upper triangles with rows `wide` apart. A pivot below 1e-14 of its column's square is
@@ -3260,19 +3200,21 @@ static void ms_nn__cholesky(double *g, size_t h, size_t wide, double *diagonal)
     }
 }
 
-/* R of a channel whose weights no channel before has. */
-static MS_NN__COLD ms_status ms_nn__collapse_factor(ms_nn_collapse *c, size_t channel, ms_error *error)
+/* The arrays; called to count with arena->base NULL, then to place. Returns where the collapse itself stands. */
+static MS_NN__COLD void *ms_nn__collapse_place(ms_nn_collapse *c, ms__arena *arena)
 {
-    ms_nn__pass p;
-    size_t bytes;
-    if (!ms_nn__pass_make(&p, c, ms__size_mul(c->wide, c->wide), &bytes))
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a collapse of %z features", c->h);
-    p.weight = c->weight + channel * c->m->rows;
-    ms_nn__pass_run(&p);
-    memcpy(c->r + channel * p.length, p.sum, p.length * sizeof(double));
-    ms_nn__cholesky(c->r + channel * p.length, c->h, c->wide, p.w);
-    ms__release(&c->nn->options.allocator, p.sum, bytes);
-    return MS_OK;
+    const size_t row = ms__size_mul(c->wide, sizeof(double)), across = ms__size_mul(c->across, sizeof(double));
+    void *place = ms__take(arena, 1, sizeof *c);
+    c->r = (double *)ms__take(arena, ms__size_mul(c->channels, c->wide), row);
+    c->h0 = (double *)ms__take(arena, c->channels, row);
+    c->e = (double *)ms__take(arena, c->channels, row);
+    c->owner = (size_t *)ms__take(arena, c->channels, sizeof(size_t));
+    c->weight = (float *)ms__take(arena, c->channels, ms__size_mul(c->m->rows, sizeof(float)));
+    c->w = (double *)ms__take(arena, MS_NN__COLLAPSE_ROWS, row);
+    c->residual = (double *)ms__take(arena, MS_NN__COLLAPSE_ROWS, across);
+    c->turned = (double *)ms__take(arena, c->wide, across);
+    c->sum = (double *)ms__take(arena, c->channels + 4, row);
+    return place;
 }
 
 /* The network up to its last layer's input, as a view. */
@@ -3288,55 +3230,49 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float 
                                                    ms_error *error)
 {
     const ms_nn__op *last;
-    ms_nn_collapse *made;
-    size_t i, k, h, wide, rows, channels;
-    ms__arena a;
-    ms_status status = MS_OK;
+    ms_nn_collapse made;
+    ms_nn__pass pass;
+    size_t i, k, rows;
+    ms__arena a = {NULL, 0};
     if (nn == NULL || c == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", nn == NULL ? "nn" : "c");
     last = &nn->op[nn->ops - 1];
     if (last->kind != MS_NN__DO_DENSE || last->activation != MS_NN__LINEAR)
         return ms__fail(error, MS_UNSUPPORTED, 0, "only a network whose last layer is dense and linear collapses");
-    channels = nn->channels;
-    h = last->matrix.cols;
-    wide = ms_nn__round_up(h, MS_NN__DOUBLES);
+    memset(&made, 0, sizeof made);
+    memset(&pass, 0, sizeof pass);
+    made.nn = nn;
+    made.body = ms_nn__body_of(nn);
+    made.m = &last->matrix;
+    made.channels = nn->channels;
+    made.h = last->matrix.cols;
+    made.wide = ms_nn__round_up(made.h, MS_NN__DOUBLES);
+    made.across = ms_nn__round_up(made.channels, MS_NN__DOUBLES);
     rows = last->matrix.rows;
-    for (i = 0; weight && i < channels * rows; ++i)
+    for (i = 0; weight && i < made.channels * rows; ++i)
         if (!ms__finite_f(weight[i]) || weight[i] < 0)
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "weight %z is %g; it must be finite and not negative", i,
                             (double)weight[i]);
-    for (a.base = NULL;;) { /* counted first, then placed */
-        ms_nn_collapse t;
-        memset(&t, 0, sizeof t);
-        a.used = 0;
-        made = (ms_nn_collapse *)ms__take(&a, 1, sizeof *made);
-        t.r = (double *)ms__take(&a, channels, ms__size_mul(ms__size_mul(wide, wide), sizeof(double)));
-        t.h0 = (double *)ms__take(&a, channels, ms__size_mul(wide, sizeof(double)));
-        t.e = (double *)ms__take(&a, channels, ms__size_mul(wide, sizeof(double)));
-        t.owner = (size_t *)ms__take(&a, channels, sizeof(size_t));
-        t.weight = (float *)ms__take(&a, channels, ms__size_mul(rows, sizeof(float)));
-        if (made != NULL) {
-            *made = t;
-            break;
-        }
-        a.base = (char *)ms__alloc(&nn->options.allocator, a.used);
-        if (a.base == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a collapse of %z features", h);
+    ms_nn__collapse_place(&made, &a);
+    made.bytes = a.used;
+    a.base = (char *)ms__alloc(&nn->options.allocator, a.used);
+    if (a.base == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a collapse of %z features", made.h);
+    memset(a.base, 0, made.bytes);
+    a.used = 0;
+    *c = (ms_nn_collapse *)ms_nn__collapse_place(&made, &a);
+    **c = made;
+    for (i = 0; i < made.channels * rows; ++i) made.weight[i] = weight ? weight[i] : 1.0f;
+    pass.c = *c;
+    pass.length = made.wide * made.wide;
+    for (i = 0; i < made.channels; ++i) {
+        for (k = 0; memcmp(made.weight + k * rows, made.weight + i * rows, rows * sizeof(float)) != 0;) ++k;
+        made.owner[i] = k;
+        if (k < i) continue;
+        pass.weight = made.weight + i * rows;
+        pass.sum = made.r + i * pass.length;
+        ms_nn__pass_run(&pass);
+        ms_nn__cholesky(pass.sum, made.h, made.wide, made.w);
     }
-    made->nn = nn;
-    made->m = &last->matrix;
-    made->channels = channels;
-    made->h = h;
-    made->wide = wide;
-    made->bytes = a.used;
-    made->body = ms_nn__body_of(nn);
-    for (i = 0; i < channels * rows; ++i) made->weight[i] = weight ? weight[i] : 1.0f;
-    for (i = 0; status == MS_OK && i < channels; ++i) {
-        for (k = 0; memcmp(made->weight + k * rows, made->weight + i * rows, rows * sizeof(float)) != 0;) ++k;
-        made->owner[i] = k;
-        if (k == i) status = ms_nn__collapse_factor(made, i, error);
-    }
-    if (status != MS_OK) ms_nn_collapse_destroy(made);
-    else *c = made;
-    return status;
+    return MS_OK;
 }
 
 MS_API void ms_nn_collapse_destroy(ms_nn_collapse *c)
@@ -3376,7 +3312,7 @@ static const double *ms_nn__collapse_r(const ms_nn_collapse *c, size_t channel)
 MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target, ms_error *error)
 {
     ms_nn__pass p;
-    size_t bytes, features, i, ch;
+    size_t features, i, ch;
     double norm = 0;
     if (c == NULL || target == NULL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", c == NULL ? "c" : "target");
@@ -3384,8 +3320,10 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
     for (i = 0; i < c->channels * c->m->rows; ++i)
         if (!ms__finite_f(target[i]))
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "target value %z is not finite", i);
-    if (!ms_nn__pass_make(&p, c, ms__size_add(ms__size_mul(ms_nn__round_up(c->channels, 4), c->wide), 1), &bytes))
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a target");
+    memset(&p, 0, sizeof p);
+    p.c = c;
+    p.sum = c->sum;
+    p.length = ms_nn__round_up(c->channels, 4) * c->wide + 1;
     p.target = target;
     ms_nn__pass_run(&p); /* W'M (t - b) = R'R h0 */
     memcpy(c->h0, p.sum, features * sizeof(double));
@@ -3393,7 +3331,7 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
         double *h0 = c->h0 + ch * c->wide;
         ms_nn__solve_transposed(ms_nn__collapse_r(c, ch), c->h, c->wide, h0);
         ms_nn__solve(ms_nn__collapse_r(c, ch), c->h, c->wide, h0);
-        for (i = 0; i < c->h; ++i) p.h0[i * p.across + ch] = h0[i];
+        for (i = 0; i < c->h; ++i) c->turned[i * c->across + ch] = h0[i];
     }
     p.has_h0 = 1;
     ms_nn__pass_run(&p); /* W'M res = R'e and |res|_M^2 of h0 */
@@ -3403,7 +3341,6 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
     for (i = 0; i < features; ++i) norm += c->e[i] * c->e[i];
     c->rest = p.sum[p.length - 1] > norm ? p.sum[p.length - 1] - norm : 0.0;
     c->has_target = 1;
-    ms__release(&c->nn->options.allocator, p.sum, bytes);
     return MS_OK;
 }
 
