@@ -79,13 +79,9 @@
    each of its lists of input indices and concatenates the outputs: one small network for red, green and blue.
    examples/tools/export_torch.py saves PyTorch and Keras networks in this form.
 
-   Costs
-   -----
-   A small network costs its multiply-adds, a large dense layer what reading its weights costs, and so less as F16 or
-   I8. tests/bench/RESULTS.md of the repository has the tables.
-
-   Memory
-   ------
+   Costs, memory
+   -------------
+   A large dense layer costs what reading its weights costs, and so less as F16 or I8 (tables: tests/bench/RESULTS.md).
    A file costs one allocation, a network a dozen and at most five for each layer with weights. Convolutions are packed,
    and dense layers as long as they are together at most 64 MB; the others are read in place. With a workspace of
    ms_nn_workspace_size bytes the calls allocate nothing; it stops growing at 48 samples, since more run in groups.
@@ -239,38 +235,31 @@ static inline const char *ms_simd_string(ms_simd level)
 
 /* ---- safetensors: what is in a file ---------------------------------------------------------------------------- */
 
-/* Every element type of the format: code, name in the file, bits. Networks use the first three. */
-/* clang-format off */
-#define MS_NN_DTYPE_LIST(X)                \
-    X(MS_NN_F32, "F32", 32)                \
-    X(MS_NN_F16, "F16", 16)                \
-    X(MS_NN_I8, "I8", 8)                   \
-    X(MS_NN_F64, "F64", 64)                \
-    X(MS_NN_BF16, "BF16", 16)              \
-    X(MS_NN_I16, "I16", 16)                \
-    X(MS_NN_I32, "I32", 32)                \
-    X(MS_NN_I64, "I64", 64)                \
-    X(MS_NN_U8, "U8", 8)                   \
-    X(MS_NN_U16, "U16", 16)                \
-    X(MS_NN_U32, "U32", 32)                \
-    X(MS_NN_U64, "U64", 64)                \
-    X(MS_NN_BOOL, "BOOL", 8)               \
-    X(MS_NN_C64, "C64", 64)                \
-    X(MS_NN_F8_E5M2, "F8_E5M2", 8)         \
-    X(MS_NN_F8_E4M3, "F8_E4M3", 8)         \
-    X(MS_NN_F8_E8M0, "F8_E8M0", 8)         \
-    X(MS_NN_F8_E4M3FNUZ, "F8_E4M3FNUZ", 8) \
-    X(MS_NN_F8_E5M2FNUZ, "F8_E5M2FNUZ", 8) \
-    X(MS_NN_F6_E2M3, "F6_E2M3", 6)         \
-    X(MS_NN_F6_E3M2, "F6_E3M2", 6)         \
-    X(MS_NN_F4, "F4", 4)
-/* clang-format on */
-
+/* Every element type of the format. Networks use the first three. */
 typedef enum ms_nn_dtype {
-#define MS_NN_DTYPE_ENUM(code, name, bits) code,
-    MS_NN_DTYPE_LIST(MS_NN_DTYPE_ENUM)
-#undef MS_NN_DTYPE_ENUM
-        MS_NN_DTYPE_COUNT
+    MS_NN_F32,
+    MS_NN_F16,
+    MS_NN_I8,
+    MS_NN_F64,
+    MS_NN_BF16,
+    MS_NN_I16,
+    MS_NN_I32,
+    MS_NN_I64,
+    MS_NN_U8,
+    MS_NN_U16,
+    MS_NN_U32,
+    MS_NN_U64,
+    MS_NN_BOOL,
+    MS_NN_C64,
+    MS_NN_F8_E5M2,
+    MS_NN_F8_E4M3,
+    MS_NN_F8_E8M0,
+    MS_NN_F8_E4M3FNUZ,
+    MS_NN_F8_E5M2FNUZ,
+    MS_NN_F6_E2M3,
+    MS_NN_F6_E3M2,
+    MS_NN_F4,
+    MS_NN_DTYPE_COUNT
 } ms_nn_dtype;
 
 #define MS_NN_MAX_HEADER 100000000 /* bytes of JSON that a file may have; the format's own limit */
@@ -334,8 +323,8 @@ MS_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *key);
    MS_UNSUPPORTED: another type. MS_INVALID_ARGUMENT: beyond the tensor's end. */
 MS_API ms_status ms_nn_tensor_read(const ms_nn_tensor *tensor, size_t first, size_t count, float *out);
 
-/* Writes a safetensors file into memory: a header padded with spaces to a multiple of 64 bytes, then the largest tensor
-   first, equal sizes in the order given.
+/* Writes a safetensors file into memory: a header padded with spaces to a multiple of 64 bytes, then the tensors in the
+   order given.
    tensors   [count], names unique; data little-endian, or NULL: the caller fills its place (ms_nn_file_open finds it)
    metadata  [entries], keys unique; NULL with entries 0
    file      [capacity] out, any alignment; NULL: only *size is wanted
@@ -790,31 +779,19 @@ static float ms_nn__float_at(const unsigned char *v, size_t i)
     return x;
 }
 
-static int ms_nn__bits(ms_nn_dtype dtype)
-{
-    static const int bits[] = {
-#define MS_NN__DTYPE_BITS(code, name, n) n,
-        MS_NN_DTYPE_LIST(MS_NN__DTYPE_BITS)
-#undef MS_NN__DTYPE_BITS
-            0};
-    return bits[(int)dtype];
-}
+/* In the order of ms_nn_dtype. */
+static const unsigned char ms_nn__bits[] = {32, 16, 8,  64, 16, 16, 32, 64, 8, 16, 32,
+                                            64, 8,  64, 8,  8,  8,  8,  8,  6, 6,  4};
+static const char *const ms_nn__dtype_name[] = {
+    "F32",     "F16",         "I8",          "F64",     "BF16",    "I16", "I32",     "I64",
+    "U8",      "U16",         "U32",         "U64",     "BOOL",    "C64", "F8_E5M2", "F8_E4M3",
+    "F8_E8M0", "F8_E4M3FNUZ", "F8_E5M2FNUZ", "F6_E2M3", "F6_E3M2", "F4",  "unknown"};
 
 /* Bytes of elements of a type; SIZE_MAX: overflow, or the last byte is not filled. */
 static size_t ms_nn__bytes_for(size_t elements, ms_nn_dtype dtype)
 {
-    const size_t bits = (size_t)ms_nn__bits(dtype), rest = elements % 8 * bits;
+    const size_t bits = ms_nn__bits[dtype], rest = elements % 8 * bits;
     return elements == SIZE_MAX || rest % 8 ? SIZE_MAX : ms__size_add(ms__size_mul(elements / 8, bits), rest / 8);
-}
-
-static const char *ms_nn__dtype_name(int dtype)
-{
-    static const char *const name[] = {
-#define MS_NN__DTYPE_NAME(code, text, bits) text,
-        MS_NN_DTYPE_LIST(MS_NN__DTYPE_NAME)
-#undef MS_NN__DTYPE_NAME
-            "unknown"};
-    return name[dtype >= 0 && dtype < (int)MS_NN_DTYPE_COUNT ? dtype : (int)MS_NN_DTYPE_COUNT];
 }
 
 /* Bytes of an element of a network's types. */
@@ -1064,7 +1041,7 @@ static MS_NN__COLD ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header 
             at = j->p;
             if ((status = ms_nn__json_string(j, &none, &s)) != MS_OK) return status;
             for (dtype = 0; dtype < (int)MS_NN_DTYPE_COUNT; ++dtype)
-                if (ms_nn__is(&s, ms_nn__dtype_name(dtype))) break;
+                if (ms_nn__is(&s, ms_nn__dtype_name[dtype])) break;
             if (dtype == (int)MS_NN_DTYPE_COUNT) return ms_nn__refuse_word(j, at, "unknown dtype '%s'", s.head);
         } else {
             int list = !ms_nn__take(j, '['), count = 0;
@@ -1090,7 +1067,7 @@ static MS_NN__COLD ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header 
         if ((status = ms_nn__json_more(j, '}', &more)) != MS_OK) return status;
     }
     if (seen != 7) return ms_nn__refuse(j, "a tensor lacks dtype, shape or data_offsets");
-    if (ms__size_mul(nonzero / 8, (size_t)ms_nn__bits((ms_nn_dtype)dtype)) == SIZE_MAX || nonzero == SIZE_MAX)
+    if (ms__size_mul(nonzero / 8, ms_nn__bits[dtype]) == SIZE_MAX || nonzero == SIZE_MAX)
         return ms_nn__refuse(j, "the product of the dimensions overflows");
     bytes = ms_nn__bytes_for(elements, (ms_nn_dtype)dtype);
     if (bytes == SIZE_MAX) return ms_nn__refuse(j, "a tensor must fill whole bytes");
@@ -1223,7 +1200,10 @@ MS_API MS_NN__COLD ms_nn_options ms_nn_defaults(void)
     return options;
 }
 
-MS_API const char *ms_nn_dtype_string(ms_nn_dtype dtype) { return ms_nn__dtype_name((int)dtype); }
+MS_API const char *ms_nn_dtype_string(ms_nn_dtype dtype)
+{
+    return ms_nn__dtype_name[(int)dtype >= 0 && dtype < MS_NN_DTYPE_COUNT ? dtype : MS_NN_DTYPE_COUNT];
+}
 
 MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_options *options,
                                              ms_nn_file **file, ms_error *error)
@@ -1430,23 +1410,10 @@ static MS_NN__COLD ms_status ms_nn__write_check(const ms_nn_tensor *tensors, siz
     return MS_OK;
 }
 
-/* The tensor that follows `last` in the file, the largest first; last NULL: the first one. */
-static MS_NN__COLD const ms_nn_tensor *ms_nn__write_next(const ms_nn_tensor *tensors, size_t count,
-                                                         const ms_nn_tensor *last)
-{
-    const ms_nn_tensor *t, *next = NULL;
-    for (t = tensors; t != tensors + count; ++t)
-        if ((last == NULL || t->bytes < last->bytes || (t->bytes == last->bytes && t > last)) &&
-            (next == NULL || t->bytes > next->bytes))
-            next = t;
-    return next;
-}
-
 /* The header, and with w->out the data after it. */
 static MS_NN__COLD void ms_nn__write(ms_nn__writer *w, const ms_nn_tensor *tensors, size_t count,
                                      const ms_nn_entry *metadata, size_t entries)
 {
-    const ms_nn_tensor *t;
     size_t i, offset = 0;
     int d;
     w->length = 8;
@@ -1458,11 +1425,12 @@ static MS_NN__COLD void ms_nn__write(ms_nn__writer *w, const ms_nn_tensor *tenso
         ms_nn__put_string(w, metadata[i].value);
     }
     if (entries) ms_nn__put_text(w, count ? "}," : "}");
-    for (t = NULL, i = 0; (t = ms_nn__write_next(tensors, count, t)) != NULL; ++i) {
+    for (i = 0; i < count; ++i) {
+        const ms_nn_tensor *t = &tensors[i];
         if (i) ms_nn__put_text(w, ",");
         ms_nn__put_string(w, t->name);
         ms_nn__put_text(w, ":{\"dtype\":");
-        ms_nn__put_string(w, ms_nn__dtype_name((int)t->dtype));
+        ms_nn__put_string(w, ms_nn__dtype_name[t->dtype]);
         ms_nn__put_text(w, ",\"shape\":[");
         for (d = 0; d < t->rank; ++d) {
             if (d) ms_nn__put_text(w, ",");
@@ -1479,8 +1447,8 @@ static MS_NN__COLD void ms_nn__write(ms_nn__writer *w, const ms_nn_tensor *tenso
     while (w->length % 64) ms_nn__put_text(w, " ");
     if (w->out == NULL) return;
     for (i = 0; i < 8; ++i) w->out[i] = (char)(unsigned char)((uint64_t)(w->length - 8) >> (8 * i) & 0xFF);
-    for (t = NULL; (t = ms_nn__write_next(tensors, count, t)) != NULL; w->length += t->bytes)
-        if (t->data != NULL && t->bytes) memcpy(w->out + w->length, t->data, t->bytes);
+    for (i = 0; i < count; w->length += tensors[i++].bytes)
+        if (tensors[i].data != NULL && tensors[i].bytes) memcpy(w->out + w->length, tensors[i].data, tensors[i].bytes);
 }
 
 MS_API MS_NN__COLD ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
@@ -1623,39 +1591,32 @@ typedef struct ms_nn__list {
     size_t *channel_input; /* [channels][channel_inputs], NULL while counting */
 } ms_nn__list;
 
-/* A JSON number as a double, within some units of its last place: enough for slopes and rates. */
+/* A JSON number from 0 on as a double, within some units of its last place: enough for slopes and rates. */
 static MS_NN__COLD ms_status ms_nn__json_real(ms_nn__json *j, double *value)
 {
-    int negative = ms_nn__take(j, '-'), exponent = 0, shift = 0, minus;
     const unsigned char *first;
     double v = 0;
-    if (!negative) ms_nn__space(j);
-    first = j->p;
-    for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p)
-        if (v < 1e300) v = v * 10 + (*j->p - '0');
-        else ++shift;
-    if (j->p == first || (*first == '0' && j->p > first + 1))
-        return ms_nn__refuse(j, "expected a number without leading zeros");
-    if (j->p < j->end && *j->p == '.') {
-        first = ++j->p;
-        for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p)
-            if (v < 1e300) v = v * 10 + (*j->p - '0'), --shift;
-        if (j->p == first) return ms_nn__refuse(j, "expected digits after the point");
+    int shift = 0, exponent = 0, point, minus;
+    ms_nn__space(j);
+    for (point = 0; point < 2; ++point) { /* the digits before it, then those after it */
+        for (first = j->p; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p)
+            if (v < 1e18) v = v * 10 + (*j->p - '0'), shift -= point;
+            else shift += !point;
+        if (j->p == first || (!point && *first == '0' && j->p > first + 1))
+            return ms_nn__refuse(j, "expected a number from 0 on, without leading zeros");
+        if (j->p == j->end || *j->p != '.' || point) break;
+        ++j->p;
     }
     if (j->p < j->end && (*j->p == 'e' || *j->p == 'E')) {
         ++j->p;
         minus = j->p < j->end && *j->p == '-';
         if (j->p < j->end && (*j->p == '-' || *j->p == '+')) ++j->p;
-        first = j->p;
-        for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p)
-            if (exponent < 1000) exponent = exponent * 10 + (*j->p - '0');
+        for (first = j->p; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p)
+            if (exponent < 1000000) exponent = exponent * 10 + (*j->p - '0');
         if (j->p == first) return ms_nn__refuse(j, "expected the digits of an exponent");
-        if (minus) exponent = -exponent;
+        shift += minus ? -exponent : exponent;
     }
-    if (v > 0 && log10(v) + exponent + shift > 308.2547)
-        v = (double)ms_nn__float_of(0x7f800000u); /* infinity, without an exception */
-    else if (v > 0) v *= pow(10.0, (double)exponent + (double)shift);
-    *value = negative ? -v : v;
+    *value = v > 0 ? v * pow(10.0, shift < 40 ? shift : 40) : 0; /* 1e40 is too large anyway */
     return MS_OK;
 }
 
@@ -1728,8 +1689,7 @@ static MS_NN__COLD ms_status ms_nn__list_field(ms_nn__json *j, ms_nn__list *l, m
     if (field->kind == MS_NN__REAL) {
         double real = 0;
         if ((status = ms_nn__json_real(j, &real)) != MS_OK) return status;
-        if (!(real >= 0 && real <= 1e30))
-            return ms_nn__refuse_word(j, key, "'%s' must not be negative or above 1e30", field->key);
+        if (!(real >= 0 && real <= 1e30)) return ms_nn__refuse_word(j, key, "'%s' must not be above 1e30", field->key);
         memcpy(out, &real, sizeof real);
     } else if (field->kind == MS_NN__FLAG) {
         return ms_nn__json_flag(j, &spec->bias);
@@ -2075,7 +2035,7 @@ static MS_NN__COLD ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *s
                             i == 0       ? "weights"
                                 : i == 1 ? "biases"
                                          : "scales",
-                            ms_nn__dtype_name((int)part[i]->dtype), part[i]->name);
+                            ms_nn__dtype_name[part[i]->dtype], part[i]->name);
         info->bytes += part[i]->bytes;
         if (i < 2) info->parameters += part[i]->bytes / ms_nn__bytes_of(part[i]->dtype);
     }
