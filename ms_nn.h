@@ -102,7 +102,6 @@
    ------------------------------------------------
    MS_NN_NO_STDIO    no <stdio.h>, no files by name
    MS_NO_SIMD        plain C only
-   MS_DEF            linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_NN_FILENAME    "ms_nn.h"; set it if the file is renamed (it includes itself once a SIMD level)
 
    Limits
@@ -290,7 +289,6 @@ typedef struct ms_nn_options {
     ms_allocator allocator; /* zero: malloc and free */
 } ms_nn_options;
 
-/* All defaults. */
 MS_API ms_nn_options ms_nn_defaults(void);
 
 /* "F32" and so on; "unknown" outside the list. */
@@ -707,20 +705,8 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #define MS_NN_FILENAME "ms_nn.h"
 #endif
 
-/* Contents, in the order of the data:
-     bytes       numbers of a file, element types
-     json        a cursor over JSON text
-     file        a safetensors file, checked and listed
-     writer      the same, written
-     layer list  the layers as the file lists them
-     plan        their tensors and shapes, packed weights, where values live
-     run         one operation on one sample or a batch
-     products    all operations: values, Jacobians
-     queries     what a network is
-     stdio       files by name
-     collapse    the last layer as an objective
-     levels      the kernels, read once a SIMD level
-     kernels     the loops over weights */
+/* Contents, in the order of the data: bytes | json | file | writer | layer list | plan (shapes, packed weights, where
+   values live) | run (one operation) | products (all operations) | queries | stdio | collapse | levels | kernels */
 
 /* Reading, writing and planning are compiled for size. */
 #if defined(__GNUC__) || defined(__clang__)
@@ -843,9 +829,11 @@ static MS_NN__COLD ms_status ms_nn__name_place(ms_error *error, ms_status status
     if (error == NULL) return status;
     inner = *error;
     if (layer < 0) return ms__fail(error, status, position, "%s (tensor '%s')", inner.message, name);
-    if (type == NULL) return ms__fail(error, status, position, "%s (layer %d)", inner.message, layer);
-    if (name == NULL) return ms__fail(error, status, position, "%s (layer %d, %s)", inner.message, layer, type);
-    return ms__fail(error, status, position, "%s (layer %d, %s '%s')", inner.message, layer, type, name);
+    return ms__fail(error, status, position,
+                    name       ? "%s (layer %d, %s '%s')"
+                        : type ? "%s (layer %d, %s)"
+                               : "%s (layer %d)",
+                    inner.message, layer, type, name);
 }
 
 static MS_NN__COLD void ms_nn__space(ms_nn__json *j)
@@ -1302,16 +1290,12 @@ MS_API ms_status ms_nn_tensor_read(const ms_nn_tensor *tensor, size_t first, siz
 
 MS_API const ms_nn_tensor *ms_nn_file_find(const ms_nn_file *file, const char *name)
 {
-    size_t first = 0, end = file && name ? file->tensors : 0;
-    while (first < end) {
-        size_t middle = first + (end - first) / 2;
-        const ms_nn_tensor *t = &file->by_name[middle]->tensor;
-        int compared = strcmp(name, t->name);
-        if (compared == 0) return t;
-        if (compared < 0) end = middle;
-        else first = middle + 1;
-    }
-    return NULL;
+    ms_nn__record wanted;
+    const ms_nn__record *key = &wanted, **found;
+    if (file == NULL || name == NULL) return NULL;
+    wanted.tensor.name = name;
+    found = (const ms_nn__record **)bsearch(&key, file->by_name, file->tensors, sizeof key, ms_nn__compare_name);
+    return found ? &(*found)->tensor : NULL;
 }
 
 MS_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *key)
@@ -1814,7 +1798,6 @@ static size_t ms_nn__count(ms_nn__dims d) { return d.c * d.h * d.w; }
 /* More values than leave room for 64 bytes each: no size of a value can wrap. */
 static int ms_nn__too_large(ms_nn__dims d) { return ms__size_mul(ms__size_mul(d.c, d.h), d.w) > SIZE_MAX / 64; }
 
-static size_t ms_nn__at_least_1(size_t n) { return n ? n : 1; }
 static size_t ms_nn__min(size_t a, size_t b) { return a < b ? a : b; }
 static size_t ms_nn__round_up(size_t n, size_t unit) { return (n + unit - 1) / unit * unit; }
 
@@ -2741,7 +2724,7 @@ static MS_NN__COLD size_t ms_nn__batch_size(const ms_nn *nn)
         if (nn->op[k].kind == MS_NN__DO_DENSE) dense += nn->op[k].matrix.rows * nn->op[k].matrix.cols;
         else convolutions += nn->op[k].kind == MS_NN__DO_CONV;
     }
-    n = (convolutions ? 131072u : 4194304u) / ms_nn__at_least_1(ms__size_mul(nn->values, nn->channels)) / 12 * 12;
+    n = (convolutions ? 131072u : 4194304u) / ms__size_mul(nn->values, nn->channels) / 12 * 12;
     if (nn->channel_input) return nn->channels < 12 ? 12 / nn->channels : 1; /* large pictures: more are slower */
     n = ms_nn__min(n, MS_NN__BATCH);
     return n > 0 ? n : convolutions && dense < 2000000 ? 1 : 12; /* large weights are better read for several */
@@ -3177,15 +3160,6 @@ static MS_NN__COLD void *ms_nn__collapse_place(ms_nn_collapse *c, ms__arena *are
     return place;
 }
 
-/* The network up to its last layer's input, as a view. */
-static MS_NN__COLD ms_nn ms_nn__body_of(const ms_nn *nn)
-{
-    ms_nn body = *nn;
-    body.ops--;
-    body.values = nn->place[nn->ops];
-    return body;
-}
-
 MS_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, ms_nn_collapse **c,
                                                    ms_error *error)
 {
@@ -3201,7 +3175,9 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float 
     memset(&made, 0, sizeof made);
     memset(&pass, 0, sizeof pass);
     made.nn = nn;
-    made.body = ms_nn__body_of(nn);
+    made.body = *nn;
+    made.body.ops--;
+    made.body.values = nn->place[nn->ops];
     made.m = &last->matrix;
     made.channels = nn->channels;
     made.h = last->matrix.cols;

@@ -61,10 +61,6 @@
    residuals are NaN, infinite or beyond 1e300 is worse than every other point, not an error; a derivative that is not
    finite is MS_BAD_DATA.
 
-   Configuration (define before the implementation)
-   ------------------------------------------------
-   MS_DEF   linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
-
    Limits
    ------
    256 parameters; dense Jacobians. The answer is a minimum near one of the candidates; restarts look further. Times and
