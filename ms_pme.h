@@ -279,13 +279,12 @@ typedef struct ms_pme_match_options {
 } ms_pme_match_options;
 
 typedef struct ms_pme_match_result {
-    double rmse;         /* weighted, in the image's unit, from one real render of x */
-    double rmse_initial; /* of the best candidate */
-    int best_candidate;  /* predictions come first, then `candidates`, then random ones (or the middle) */
-    ms_pme_result
-        refine;  /* without the candidates; its value is RMSE^2 and the pulls; steps 0: no step was made from any
-                             of them; stop says why the whole match ended */
-    double cost; /* in renders: candidates, refinement, the last render; not predictions */
+    double rmse;          /* weighted, in the image's unit, from one real render of x */
+    double rmse_initial;  /* of the best candidate */
+    int best_candidate;   /* predictions come first, then `candidates`, then random ones (or the middle) */
+    ms_pme_result refine; /* without the candidates; its value is RMSE^2 and the pulls; steps 0: none was made; stop
+                             says why the whole match ended */
+    double cost;          /* in renders: candidates, refinement, the last render; not predictions */
 } ms_pme_match_result;
 
 MS_API ms_pme_match_options ms_pme_match_defaults(void); /* all zero */
