@@ -723,8 +723,8 @@ static void ms_pme__solve_free(const double *triangle, int n, const double *weig
 }
 
 /* d [n] minimizes |R d - b|^2 + sum (weight_j d_j)^2 over low <= d <= high, low <= 0 <= high: the active-set method of
-   Stark and Parker (1995), finite and exact; each set is a QR factorization. state in: a guess of the active set (0 free,
-   -1 at low, 1 at high); out: the active set. z [n]; the others as above. */
+   Stark and Parker (1995), finite and exact; each set is a QR factorization. state in: a guess of the active set (0
+   free, -1 at low, 1 at high); out: the active set. z [n]; the others as above. */
 static void ms_pme__bounded_least_squares(const double *triangle, int n, const double *weight, const double *low,
                                           const double *high, double *d, int *state, double *z, double *work)
 {
