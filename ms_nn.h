@@ -79,13 +79,9 @@
    each of its lists of input indices and concatenates the outputs: one small network for red, green and blue.
    examples/tools/export_torch.py saves PyTorch and Keras networks in this form.
 
-   Costs
-   -----
-   A small network costs its multiply-adds, a large dense layer what reading its weights costs, and so less as F16 or
-   I8. tests/bench/RESULTS.md of the repository has the tables.
-
-   Memory
-   ------
+   Costs, memory
+   -------------
+   A large dense layer costs what reading its weights costs, and so less as F16 or I8 (tables: tests/bench/RESULTS.md).
    A file costs one allocation, a network a dozen and at most five for each layer with weights. Convolutions are packed,
    and dense layers as long as they are together at most 64 MB; the others are read in place. With a workspace of
    ms_nn_workspace_size bytes the calls allocate nothing; it stops growing at 48 samples, since more run in groups.
@@ -106,7 +102,6 @@
    ------------------------------------------------
    MS_NN_NO_STDIO    no <stdio.h>, no files by name
    MS_NO_SIMD        plain C only
-   MS_DEF            linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_NN_FILENAME    "ms_nn.h"; set it if the file is renamed (it includes itself once a SIMD level)
 
    Limits
@@ -239,38 +234,31 @@ static inline const char *ms_simd_string(ms_simd level)
 
 /* ---- safetensors: what is in a file ---------------------------------------------------------------------------- */
 
-/* Every element type of the format: code, name in the file, bits. Networks use the first three. */
-/* clang-format off */
-#define MS_NN_DTYPE_LIST(X)                \
-    X(MS_NN_F32, "F32", 32)                \
-    X(MS_NN_F16, "F16", 16)                \
-    X(MS_NN_I8, "I8", 8)                   \
-    X(MS_NN_F64, "F64", 64)                \
-    X(MS_NN_BF16, "BF16", 16)              \
-    X(MS_NN_I16, "I16", 16)                \
-    X(MS_NN_I32, "I32", 32)                \
-    X(MS_NN_I64, "I64", 64)                \
-    X(MS_NN_U8, "U8", 8)                   \
-    X(MS_NN_U16, "U16", 16)                \
-    X(MS_NN_U32, "U32", 32)                \
-    X(MS_NN_U64, "U64", 64)                \
-    X(MS_NN_BOOL, "BOOL", 8)               \
-    X(MS_NN_C64, "C64", 64)                \
-    X(MS_NN_F8_E5M2, "F8_E5M2", 8)         \
-    X(MS_NN_F8_E4M3, "F8_E4M3", 8)         \
-    X(MS_NN_F8_E8M0, "F8_E8M0", 8)         \
-    X(MS_NN_F8_E4M3FNUZ, "F8_E4M3FNUZ", 8) \
-    X(MS_NN_F8_E5M2FNUZ, "F8_E5M2FNUZ", 8) \
-    X(MS_NN_F6_E2M3, "F6_E2M3", 6)         \
-    X(MS_NN_F6_E3M2, "F6_E3M2", 6)         \
-    X(MS_NN_F4, "F4", 4)
-/* clang-format on */
-
+/* Every element type of the format. Networks use the first three. */
 typedef enum ms_nn_dtype {
-#define MS_NN_DTYPE_ENUM(code, name, bits) code,
-    MS_NN_DTYPE_LIST(MS_NN_DTYPE_ENUM)
-#undef MS_NN_DTYPE_ENUM
-        MS_NN_DTYPE_COUNT
+    MS_NN_F32,
+    MS_NN_F16,
+    MS_NN_I8,
+    MS_NN_F64,
+    MS_NN_BF16,
+    MS_NN_I16,
+    MS_NN_I32,
+    MS_NN_I64,
+    MS_NN_U8,
+    MS_NN_U16,
+    MS_NN_U32,
+    MS_NN_U64,
+    MS_NN_BOOL,
+    MS_NN_C64,
+    MS_NN_F8_E5M2,
+    MS_NN_F8_E4M3,
+    MS_NN_F8_E8M0,
+    MS_NN_F8_E4M3FNUZ,
+    MS_NN_F8_E5M2FNUZ,
+    MS_NN_F6_E2M3,
+    MS_NN_F6_E3M2,
+    MS_NN_F4,
+    MS_NN_DTYPE_COUNT
 } ms_nn_dtype;
 
 #define MS_NN_MAX_HEADER 100000000 /* bytes of JSON that a file may have; the format's own limit */
@@ -301,7 +289,6 @@ typedef struct ms_nn_options {
     ms_allocator allocator; /* zero: malloc and free */
 } ms_nn_options;
 
-/* All defaults. */
 MS_API ms_nn_options ms_nn_defaults(void);
 
 /* "F32" and so on; "unknown" outside the list. */
@@ -334,8 +321,8 @@ MS_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *key);
    MS_UNSUPPORTED: another type. MS_INVALID_ARGUMENT: beyond the tensor's end. */
 MS_API ms_status ms_nn_tensor_read(const ms_nn_tensor *tensor, size_t first, size_t count, float *out);
 
-/* Writes a safetensors file into memory: a header padded with spaces to a multiple of 64 bytes, then the largest tensor
-   first, equal sizes in the order given.
+/* Writes a safetensors file into memory: a header padded with spaces to a multiple of 64 bytes, then the tensors in the
+   order given.
    tensors   [count], names unique; data little-endian, or NULL: the caller fills its place (ms_nn_file_open finds it)
    metadata  [entries], keys unique; NULL with entries 0
    file      [capacity] out, any alignment; NULL: only *size is wanted
@@ -370,7 +357,7 @@ typedef struct ms_nn_layer {
 /* Makes a network of a safetensors file with a layer list (grammar in the head comment).
    bytes    [size] must outlive *nn, unchanged: large dense layers are used where they lie
    *nn      out; ms_nn_destroy releases it; untouched on failure
-   error    NULL or filled on failure; position: byte in the file, or 0
+   error    NULL or filled on failure; position: byte in the file, or in the text of ms_nn_layers or ms_nn_input; or 0
    MS_BAD_DATA: file or layer list malformed, shapes that do not fit. MS_UNSUPPORTED: an element type or version that
    this release does not run. MS_OUT_OF_MEMORY. */
 MS_API ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options *options, ms_nn **nn, ms_error *error);
@@ -718,20 +705,8 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #define MS_NN_FILENAME "ms_nn.h"
 #endif
 
-/* Contents, in the order of the data:
-     bytes       numbers of a file, element types
-     json        a cursor over JSON text
-     file        a safetensors file, checked and listed
-     writer      the same, written
-     layer list  the layers as the file lists them
-     plan        their tensors and shapes, packed weights, where values live
-     run         one operation on one sample or a batch
-     products    all operations: values, Jacobians
-     queries     what a network is
-     stdio       files by name
-     collapse    the last layer as an objective
-     levels      the kernels, read once a SIMD level
-     kernels     the loops over weights */
+/* Contents, in the order of the data: bytes | json | file | writer | layer list | plan (shapes, packed weights, where
+   values live) | run (one operation) | products (all operations) | queries | stdio | collapse | levels | kernels */
 
 /* Reading, writing and planning are compiled for size. */
 #if defined(__GNUC__) || defined(__clang__)
@@ -790,31 +765,19 @@ static float ms_nn__float_at(const unsigned char *v, size_t i)
     return x;
 }
 
-static int ms_nn__bits(ms_nn_dtype dtype)
-{
-    static const int bits[] = {
-#define MS_NN__DTYPE_BITS(code, name, n) n,
-        MS_NN_DTYPE_LIST(MS_NN__DTYPE_BITS)
-#undef MS_NN__DTYPE_BITS
-            0};
-    return bits[(int)dtype];
-}
+/* In the order of ms_nn_dtype. */
+static const unsigned char ms_nn__bits[] = {32, 16, 8,  64, 16, 16, 32, 64, 8, 16, 32,
+                                            64, 8,  64, 8,  8,  8,  8,  8,  6, 6,  4};
+static const char *const ms_nn__dtype_name[] = {
+    "F32",     "F16",         "I8",          "F64",     "BF16",    "I16", "I32",     "I64",
+    "U8",      "U16",         "U32",         "U64",     "BOOL",    "C64", "F8_E5M2", "F8_E4M3",
+    "F8_E8M0", "F8_E4M3FNUZ", "F8_E5M2FNUZ", "F6_E2M3", "F6_E3M2", "F4",  "unknown"};
 
 /* Bytes of elements of a type; SIZE_MAX: overflow, or the last byte is not filled. */
 static size_t ms_nn__bytes_for(size_t elements, ms_nn_dtype dtype)
 {
-    const size_t bits = (size_t)ms_nn__bits(dtype), rest = elements % 8 * bits;
+    const size_t bits = ms_nn__bits[dtype], rest = elements % 8 * bits;
     return elements == SIZE_MAX || rest % 8 ? SIZE_MAX : ms__size_add(ms__size_mul(elements / 8, bits), rest / 8);
-}
-
-static const char *ms_nn__dtype_name(int dtype)
-{
-    static const char *const name[] = {
-#define MS_NN__DTYPE_NAME(code, text, bits) text,
-        MS_NN_DTYPE_LIST(MS_NN__DTYPE_NAME)
-#undef MS_NN__DTYPE_NAME
-            "unknown"};
-    return name[dtype >= 0 && dtype < (int)MS_NN_DTYPE_COUNT ? dtype : (int)MS_NN_DTYPE_COUNT];
 }
 
 /* Bytes of an element of a network's types. */
@@ -866,9 +829,11 @@ static MS_NN__COLD ms_status ms_nn__name_place(ms_error *error, ms_status status
     if (error == NULL) return status;
     inner = *error;
     if (layer < 0) return ms__fail(error, status, position, "%s (tensor '%s')", inner.message, name);
-    if (type == NULL) return ms__fail(error, status, position, "%s (layer %d)", inner.message, layer);
-    if (name == NULL) return ms__fail(error, status, position, "%s (layer %d, %s)", inner.message, layer, type);
-    return ms__fail(error, status, position, "%s (layer %d, %s '%s')", inner.message, layer, type, name);
+    return ms__fail(error, status, position,
+                    name       ? "%s (layer %d, %s '%s')"
+                        : type ? "%s (layer %d, %s)"
+                               : "%s (layer %d)",
+                    inner.message, layer, type, name);
 }
 
 static MS_NN__COLD void ms_nn__space(ms_nn__json *j)
@@ -1024,9 +989,7 @@ struct ms_nn_file {
     ms_nn_entry *entry;    /* [entries] in the order of the header */
     const ms_nn__record **by_name;
     const ms_nn_entry **by_key;
-    size_t *shape;    /* all dimensions */
-    size_t *value_at; /* [entries] byte in the file after the quote that opens a value */
-    const unsigned char *start;
+    size_t *shape; /* all dimensions */
     char *text;
 };
 
@@ -1066,7 +1029,7 @@ static MS_NN__COLD ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header 
             at = j->p;
             if ((status = ms_nn__json_string(j, &none, &s)) != MS_OK) return status;
             for (dtype = 0; dtype < (int)MS_NN_DTYPE_COUNT; ++dtype)
-                if (ms_nn__is(&s, ms_nn__dtype_name(dtype))) break;
+                if (ms_nn__is(&s, ms_nn__dtype_name[dtype])) break;
             if (dtype == (int)MS_NN_DTYPE_COUNT) return ms_nn__refuse_word(j, at, "unknown dtype '%s'", s.head);
         } else {
             int list = !ms_nn__take(j, '['), count = 0;
@@ -1092,7 +1055,7 @@ static MS_NN__COLD ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header 
         if ((status = ms_nn__json_more(j, '}', &more)) != MS_OK) return status;
     }
     if (seen != 7) return ms_nn__refuse(j, "a tensor lacks dtype, shape or data_offsets");
-    if (ms__size_mul(nonzero / 8, (size_t)ms_nn__bits((ms_nn_dtype)dtype)) == SIZE_MAX || nonzero == SIZE_MAX)
+    if (ms__size_mul(nonzero / 8, ms_nn__bits[dtype]) == SIZE_MAX || nonzero == SIZE_MAX)
         return ms_nn__refuse(j, "the product of the dimensions overflows");
     bytes = ms_nn__bytes_for(elements, (ms_nn_dtype)dtype);
     if (bytes == SIZE_MAX) return ms_nn__refuse(j, "a tensor must fill whole bytes");
@@ -1126,8 +1089,6 @@ static MS_NN__COLD ms_status ms_nn__header_metadata(ms_nn__json *j, ms_nn__heade
         ms_nn__string key, value;
         if ((status = ms_nn__json_string(j, &h->pool, &key)) != MS_OK) return status;
         if (!ms_nn__take(j, ':')) return ms_nn__refuse(j, "expected ':'");
-        ms_nn__space(j);
-        if (h->file) h->file->value_at[h->entries] = j->base + (size_t)(j->p - j->start) + 1;
         if ((status = ms_nn__json_string(j, &h->pool, &value)) != MS_OK) return status;
         if (h->file) {
             h->file->entry[h->entries].key = key.text;
@@ -1253,7 +1214,10 @@ MS_API MS_NN__COLD ms_nn_options ms_nn_defaults(void)
     return options;
 }
 
-MS_API const char *ms_nn_dtype_string(ms_nn_dtype dtype) { return ms_nn__dtype_name((int)dtype); }
+MS_API const char *ms_nn_dtype_string(ms_nn_dtype dtype)
+{
+    return ms_nn__dtype_name[(int)dtype >= 0 && dtype < MS_NN_DTYPE_COUNT ? dtype : MS_NN_DTYPE_COUNT];
+}
 
 MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_options *options,
                                              ms_nn_file **file, ms_error *error)
@@ -1290,7 +1254,7 @@ MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, con
     if ((status = ms_nn__header_object(&j, &h)) != MS_OK) return status;
 
     total = ms__size_add(sizeof *f, ms__size_mul(h.tensors, sizeof(ms_nn__record) + sizeof f->by_name[0]));
-    total = ms__size_add(total, ms__size_mul(h.entries, sizeof(ms_nn_entry) + sizeof f->by_key[0] + sizeof(size_t)));
+    total = ms__size_add(total, ms__size_mul(h.entries, sizeof(ms_nn_entry) + sizeof f->by_key[0]));
     total = ms__size_add(total, ms__size_add(ms__size_mul(h.dimensions, sizeof(size_t)), h.text));
     f = (ms_nn_file *)ms__alloc(&o.allocator, total);
     if (f == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a list of %z tensors", h.tensors);
@@ -1303,9 +1267,7 @@ MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, con
     f->entry = (ms_nn_entry *)(void *)(f->record + h.tensors);
     f->by_name = (const ms_nn__record **)(void *)(f->entry + h.entries);
     f->by_key = (const ms_nn_entry **)(void *)(f->by_name + h.tensors);
-    f->value_at = (size_t *)(void *)(f->by_key + h.entries);
-    f->shape = f->value_at + h.entries;
-    f->start = b;
+    f->shape = (size_t *)(void *)(f->by_key + h.entries);
     f->text = (char *)(f->shape + h.dimensions);
 
     h.tensors = h.entries = h.dimensions = h.text = 0;
@@ -1354,16 +1316,12 @@ MS_API ms_status ms_nn_tensor_read(const ms_nn_tensor *tensor, size_t first, siz
 
 MS_API const ms_nn_tensor *ms_nn_file_find(const ms_nn_file *file, const char *name)
 {
-    size_t first = 0, end = file && name ? file->tensors : 0;
-    while (first < end) {
-        size_t middle = first + (end - first) / 2;
-        const ms_nn_tensor *t = &file->by_name[middle]->tensor;
-        int compared = strcmp(name, t->name);
-        if (compared == 0) return t;
-        if (compared < 0) end = middle;
-        else first = middle + 1;
-    }
-    return NULL;
+    ms_nn__record wanted;
+    const ms_nn__record *key = &wanted, **found;
+    if (file == NULL || name == NULL) return NULL;
+    wanted.tensor.name = name;
+    found = (const ms_nn__record **)bsearch(&key, file->by_name, file->tensors, sizeof key, ms_nn__compare_name);
+    return found ? &(*found)->tensor : NULL;
 }
 
 MS_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *key)
@@ -1372,29 +1330,6 @@ MS_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *key)
     for (i = 0; file && key && i < file->entries; ++i)
         if (strcmp(file->entry[i].key, key) == 0) return file->entry[i].value;
     return NULL;
-}
-
-/* The byte of the file that holds character k of a metadata value: escapes are longer than what they stand for. */
-static MS_NN__COLD size_t ms_nn__byte_of(const ms_nn_file *file, const char *key, size_t k)
-{
-    const unsigned char *p;
-    size_t i = 0;
-    uint32_t code;
-    while (strcmp(file->entry[i].key, key) != 0) ++i;
-    for (p = file->start + file->value_at[i]; k > 0; --k) {
-        size_t n = 1;
-        if (*p != '\\') {
-            ++p;
-        } else if (p[1] != 'u') {
-            p += 2;
-        } else {
-            ms_nn__hex4(p + 2, p + 6, &code);
-            n = code >= 0xD800 && code < 0xE000 ? 4 : code < 0x80 ? 1 : code < 0x800 ? 2 : 3;
-            p += n == 4 ? 12 : 6;
-        }
-        k -= n - 1 < k - 1 ? n - 1 : k - 1;
-    }
-    return (size_t)(p - file->start);
 }
 
 /* ---- writer ---------------------------------------------------------------------------------------------------- */
@@ -1485,23 +1420,10 @@ static MS_NN__COLD ms_status ms_nn__write_check(const ms_nn_tensor *tensors, siz
     return MS_OK;
 }
 
-/* The tensor that follows `last` in the file, the largest first; last NULL: the first one. */
-static MS_NN__COLD const ms_nn_tensor *ms_nn__write_next(const ms_nn_tensor *tensors, size_t count,
-                                                         const ms_nn_tensor *last)
-{
-    const ms_nn_tensor *t, *next = NULL;
-    for (t = tensors; t != tensors + count; ++t)
-        if ((last == NULL || t->bytes < last->bytes || (t->bytes == last->bytes && t > last)) &&
-            (next == NULL || t->bytes > next->bytes))
-            next = t;
-    return next;
-}
-
 /* The header, and with w->out the data after it. */
 static MS_NN__COLD void ms_nn__write(ms_nn__writer *w, const ms_nn_tensor *tensors, size_t count,
                                      const ms_nn_entry *metadata, size_t entries)
 {
-    const ms_nn_tensor *t;
     size_t i, offset = 0;
     int d;
     w->length = 8;
@@ -1513,11 +1435,12 @@ static MS_NN__COLD void ms_nn__write(ms_nn__writer *w, const ms_nn_tensor *tenso
         ms_nn__put_string(w, metadata[i].value);
     }
     if (entries) ms_nn__put_text(w, count ? "}," : "}");
-    for (t = NULL, i = 0; (t = ms_nn__write_next(tensors, count, t)) != NULL; ++i) {
+    for (i = 0; i < count; ++i) {
+        const ms_nn_tensor *t = &tensors[i];
         if (i) ms_nn__put_text(w, ",");
         ms_nn__put_string(w, t->name);
         ms_nn__put_text(w, ":{\"dtype\":");
-        ms_nn__put_string(w, ms_nn__dtype_name((int)t->dtype));
+        ms_nn__put_string(w, ms_nn__dtype_name[t->dtype]);
         ms_nn__put_text(w, ",\"shape\":[");
         for (d = 0; d < t->rank; ++d) {
             if (d) ms_nn__put_text(w, ",");
@@ -1534,8 +1457,8 @@ static MS_NN__COLD void ms_nn__write(ms_nn__writer *w, const ms_nn_tensor *tenso
     while (w->length % 64) ms_nn__put_text(w, " ");
     if (w->out == NULL) return;
     for (i = 0; i < 8; ++i) w->out[i] = (char)(unsigned char)((uint64_t)(w->length - 8) >> (8 * i) & 0xFF);
-    for (t = NULL; (t = ms_nn__write_next(tensors, count, t)) != NULL; w->length += t->bytes)
-        if (t->data != NULL && t->bytes) memcpy(w->out + w->length, t->data, t->bytes);
+    for (i = 0; i < count; w->length += tensors[i++].bytes)
+        if (tensors[i].data != NULL && tensors[i].bytes) memcpy(w->out + w->length, tensors[i].data, tensors[i].bytes);
 }
 
 MS_API MS_NN__COLD ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
@@ -1678,55 +1601,44 @@ typedef struct ms_nn__list {
     size_t *channel_input; /* [channels][channel_inputs], NULL while counting */
 } ms_nn__list;
 
-/* A JSON number as a double, within some units of its last place: enough for slopes and rates. */
+/* A JSON number from 0 on as a double, within some units of its last place: enough for slopes and rates. */
 static MS_NN__COLD ms_status ms_nn__json_real(ms_nn__json *j, double *value)
 {
-    int negative = ms_nn__take(j, '-'), exponent = 0, shift = 0, minus;
     const unsigned char *first;
     double v = 0;
-    if (!negative) ms_nn__space(j);
-    first = j->p;
-    for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p)
-        if (v < 1e300) v = v * 10 + (*j->p - '0');
-        else ++shift;
-    if (j->p == first || (*first == '0' && j->p > first + 1))
-        return ms_nn__refuse(j, "expected a number without leading zeros");
-    if (j->p < j->end && *j->p == '.') {
-        first = ++j->p;
-        for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p)
-            if (v < 1e300) v = v * 10 + (*j->p - '0'), --shift;
-        if (j->p == first) return ms_nn__refuse(j, "expected digits after the point");
+    int shift = 0, exponent = 0, point, minus;
+    ms_nn__space(j);
+    for (point = 0; point < 2; ++point) { /* the digits before it, then those after it */
+        for (first = j->p; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p)
+            if (v < 1e18) v = v * 10 + (*j->p - '0'), shift -= point;
+            else shift += !point;
+        if (j->p == first || (!point && *first == '0' && j->p > first + 1))
+            return ms_nn__refuse(j, "expected a number from 0 on, without leading zeros");
+        if (j->p == j->end || *j->p != '.' || point) break;
+        ++j->p;
     }
     if (j->p < j->end && (*j->p == 'e' || *j->p == 'E')) {
         ++j->p;
         minus = j->p < j->end && *j->p == '-';
         if (j->p < j->end && (*j->p == '-' || *j->p == '+')) ++j->p;
-        first = j->p;
-        for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p)
-            if (exponent < 1000) exponent = exponent * 10 + (*j->p - '0');
+        for (first = j->p; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p)
+            if (exponent < 1000000) exponent = exponent * 10 + (*j->p - '0');
         if (j->p == first) return ms_nn__refuse(j, "expected the digits of an exponent");
-        if (minus) exponent = -exponent;
+        shift += minus ? -exponent : exponent;
     }
-    if (v > 0 && log10(v) + exponent + shift > 308.2547)
-        v = (double)ms_nn__float_of(0x7f800000u); /* infinity, without an exception */
-    else if (v > 0) v *= pow(10.0, (double)exponent + (double)shift);
-    *value = negative ? -v : v;
+    *value = v > 0 ? v * pow(10.0, shift < 40 ? shift : 40) : 0; /* 1e40 is too large anyway */
     return MS_OK;
 }
 
 static MS_NN__COLD ms_status ms_nn__json_flag(ms_nn__json *j, int *flag)
 {
-    static const char *const word[] = {"true", "false"};
-    int i;
     ms_nn__space(j);
-    for (i = 0; i < 2; ++i) {
-        const size_t n = strlen(word[i]);
-        if ((size_t)(j->end - j->p) < n || memcmp(j->p, word[i], n) != 0) continue;
-        j->p += n;
-        *flag = i + 1;
-        return MS_OK;
-    }
-    return ms_nn__refuse(j, "expected true or false");
+    *flag = j->end - j->p >= 4 && memcmp(j->p, "true", 4) == 0 ? 1
+        : j->end - j->p >= 5 && memcmp(j->p, "false", 5) == 0  ? 2
+                                                               : 0;
+    if (*flag == 0) return ms_nn__refuse(j, "expected true or false");
+    j->p += 3 + *flag;
+    return MS_OK;
 }
 
 /* n or [n] or [n, m] into out[2]; one number stands for both. *pair: there were two. */
@@ -1787,8 +1699,7 @@ static MS_NN__COLD ms_status ms_nn__list_field(ms_nn__json *j, ms_nn__list *l, m
     if (field->kind == MS_NN__REAL) {
         double real = 0;
         if ((status = ms_nn__json_real(j, &real)) != MS_OK) return status;
-        if (!(real >= 0 && real <= 1e30))
-            return ms_nn__refuse_word(j, key, "'%s' must not be negative or above 1e30", field->key);
+        if (!(real >= 0 && real <= 1e30)) return ms_nn__refuse_word(j, key, "'%s' must not be above 1e30", field->key);
         memcpy(out, &real, sizeof real);
     } else if (field->kind == MS_NN__FLAG) {
         return ms_nn__json_flag(j, &spec->bias);
@@ -1913,7 +1824,6 @@ static size_t ms_nn__count(ms_nn__dims d) { return d.c * d.h * d.w; }
 /* More values than leave room for 64 bytes each: no size of a value can wrap. */
 static int ms_nn__too_large(ms_nn__dims d) { return ms__size_mul(ms__size_mul(d.c, d.h), d.w) > SIZE_MAX / 64; }
 
-static size_t ms_nn__at_least_1(size_t n) { return n ? n : 1; }
 static size_t ms_nn__min(size_t a, size_t b) { return a < b ? a : b; }
 static size_t ms_nn__round_up(size_t n, size_t unit) { return (n + unit - 1) / unit * unit; }
 
@@ -2134,7 +2044,7 @@ static MS_NN__COLD ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *s
                             i == 0       ? "weights"
                                 : i == 1 ? "biases"
                                          : "scales",
-                            ms_nn__dtype_name((int)part[i]->dtype), part[i]->name);
+                            ms_nn__dtype_name[part[i]->dtype], part[i]->name);
         info->bytes += part[i]->bytes;
         if (i < 2) info->parameters += part[i]->bytes / ms_nn__bytes_of(part[i]->dtype);
     }
@@ -2505,10 +2415,7 @@ static MS_NN__COLD ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_
     int i;
     memset(&l, 0, sizeof l);
     memset(&b, 0, sizeof b);
-    if ((status = ms_nn__list_read(&l, layers, error)) != MS_OK) {
-        if (error) error->position = ms_nn__byte_of(nn->file, "ms_nn_layers", error->position);
-        return status;
-    }
+    if ((status = ms_nn__list_read(&l, layers, error)) != MS_OK) return status;
     n = (size_t)l.layers;
     l.spec = (ms_nn__spec *)ms_nn__allocate(nn, n, sizeof *l.spec);
     l.channel_input = (size_t *)ms_nn__allocate(nn, ms__size_mul(l.channels, l.channel_inputs), sizeof(size_t));
@@ -2528,8 +2435,7 @@ static MS_NN__COLD ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_
     for (i = 0; i < l.layers; ++i) {
         if (status == MS_OK) status = ms_nn__build_layer(&b, i, error);
         if (status != MS_OK)
-            return ms_nn__name_place(error, status, ms_nn__byte_of(nn->file, "ms_nn_layers", l.spec[i].at), i,
-                                     ms_nn__kind_name[l.spec[i].kind], l.spec[i].name);
+            return ms_nn__name_place(error, status, l.spec[i].at, i, ms_nn__kind_name[l.spec[i].kind], l.spec[i].name);
     }
     if (nn->ops == 0) ms_nn__op_add(&b, MS_NN__DO_ACTIVATE, b.current); /* nothing to do is a copy */
     if (ms__size_mul(nn->channels, ms_nn__count(b.current)) > SIZE_MAX / 64)
@@ -2573,7 +2479,6 @@ static MS_NN__COLD ms_status ms_nn__make(ms_nn_file *file, const ms_nn_options *
         status = ms__fail(error, MS_UNSUPPORTED, 8, "format is '%s'; weights must have PyTorch's layout, pt", format);
     else if ((status = ms_nn__shape_read(&made->input, input, error)) == MS_OK)
         status = ms_nn__build_all(made, layers, error);
-    else if (error) error->position = ms_nn__byte_of(file, "ms_nn_input", error->position);
     if (status != MS_OK) ms_nn_destroy(made);
     else *nn = made;
     return status;
@@ -2845,7 +2750,7 @@ static MS_NN__COLD size_t ms_nn__batch_size(const ms_nn *nn)
         if (nn->op[k].kind == MS_NN__DO_DENSE) dense += nn->op[k].matrix.rows * nn->op[k].matrix.cols;
         else convolutions += nn->op[k].kind == MS_NN__DO_CONV;
     }
-    n = (convolutions ? 131072u : 4194304u) / ms_nn__at_least_1(ms__size_mul(nn->values, nn->channels)) / 12 * 12;
+    n = (convolutions ? 131072u : 4194304u) / ms__size_mul(nn->values, nn->channels) / 12 * 12;
     if (nn->channel_input) return nn->channels < 12 ? 12 / nn->channels : 1; /* large pictures: more are slower */
     n = ms_nn__min(n, MS_NN__BATCH);
     return n > 0 ? n : convolutions && dense < 2000000 ? 1 : 12; /* large weights are better read for several */
@@ -3135,6 +3040,11 @@ struct ms_nn_collapse {
     double *e;     /* [channels][wide] */
     double rest;
     int has_target;
+    size_t across; /* channels rounded up to MS_NN__DOUBLES; what follows is workspace of a pass, zeros at its ends */
+    double *w;     /* [MS_NN__COLLAPSE_ROWS][wide] rows of W */
+    double *residual; /* [MS_NN__COLLAPSE_ROWS][across] */
+    double *turned;   /* [wide][across] h0 transposed */
+    double *sum;      /* [channels rounded up to 4][wide], then one number */
 };
 
 enum { MS_NN__COLLAPSE_ROWS = 32 }; /* of W in double together: 24 kB of 96 features */
@@ -3146,10 +3056,7 @@ typedef struct ms_nn__pass {
     const float *weight; /* Gram: [rows] */
     const float *target; /* [channels][rows]; NULL: Gram */
     double *sum;         /* [length] */
-    double *w;           /* [MS_NN__COLLAPSE_ROWS][wide] rows of W */
-    double *h0;          /* [wide][across] transposed; across: channels rounded up */
-    double *residual;    /* [MS_NN__COLLAPSE_ROWS][across] */
-    size_t length, across;
+    size_t length;
     int has_h0;
 } ms_nn__pass;
 
@@ -3172,13 +3079,13 @@ static void ms_nn__gram_rows(const ms_nn__pass *p, const size_t *row, size_t n)
     size_t i, k;
     for (i = 0; i < n; ++i) {
         const double root = sqrt((double)p->weight[row[i]]);
-        for (k = 0; k < c->h; ++k) p->w[i * c->wide + k] *= root;
+        for (k = 0; k < c->h; ++k) c->w[i * c->wide + k] *= root;
     }
     job.a_row = 1;
     job.a_column = job.b_row = job.out_row = c->wide;
     job.count = n;
     for (i = 0; i < c->h; i += MS_NN__DOUBLES) {
-        job.a = job.b = p->w + i;
+        job.a = job.b = c->w + i;
         job.out = p->sum + i * c->wide + i;
         job.rows = MS_NN__DOUBLES;
         job.cols = c->wide - i;
@@ -3192,13 +3099,13 @@ static void ms_nn__target_rows(const ms_nn__pass *p, const size_t *row, size_t n
     const ms_nn_collapse *c = p->c;
     ms_nn__product_job job;
     size_t i, ch;
-    memset(p->residual, 0, MS_NN__COLLAPSE_ROWS * p->across * sizeof(double));
-    job.a = p->w; /* W h0, if h0 is not 0 */
+    memset(c->residual, 0, MS_NN__COLLAPSE_ROWS * c->across * sizeof(double));
+    job.a = c->w; /* W h0, if h0 is not 0 */
     job.a_row = c->wide;
     job.a_column = 1;
-    job.b = p->h0;
-    job.b_row = job.out_row = job.cols = p->across;
-    job.out = p->residual;
+    job.b = c->turned;
+    job.b_row = job.out_row = job.cols = c->across;
+    job.out = c->residual;
     job.count = c->h;
     job.rows = ms_nn__round_up(n, 4);
     if (p->has_h0) c->nn->kernels->product(&job);
@@ -3206,14 +3113,14 @@ static void ms_nn__target_rows(const ms_nn__pass *p, const size_t *row, size_t n
         for (ch = 0; ch < c->channels; ++ch) {
             const size_t output = ch * c->m->rows + row[i];
             const double bias = c->m->bias ? (double)ms_nn__float_at(c->m->bias, row[i]) : 0.0;
-            const double res = (double)p->target[output] - bias - p->residual[i * p->across + ch];
-            p->residual[i * p->across + ch] = (double)c->weight[output] * res;
+            const double res = (double)p->target[output] - bias - c->residual[i * c->across + ch];
+            c->residual[i * c->across + ch] = (double)c->weight[output] * res;
             p->sum[p->length - 1] += (double)c->weight[output] * res * res;
         }
-    job.a = p->residual; /* W' (M res) */
+    job.a = c->residual; /* W' (M res) */
     job.a_row = 1;
-    job.a_column = p->across;
-    job.b = p->w;
+    job.a_column = c->across;
+    job.b = c->w;
     job.b_row = job.out_row = job.cols = c->wide;
     job.out = p->sum;
     job.count = n;
@@ -3238,35 +3145,11 @@ static void ms_nn__pass_run(const ms_nn__pass *p)
     for (i = 0; i < p->c->m->rows; ++i) {
         if (ms_nn__pass_sees(p, i)) row[n++] = i;
         if (n < MS_NN__COLLAPSE_ROWS && i + 1 < p->c->m->rows) continue;
-        ms_nn__collapse_rows(p->c, row, n, p->w);
+        ms_nn__collapse_rows(p->c, row, n, p->c->w);
         if (p->target == NULL) ms_nn__gram_rows(p, row, n);
         else ms_nn__target_rows(p, row, n);
         n = 0;
     }
-}
-
-/* The pass and its memory of *bytes, which is released at p->sum; 0: none left. */
-static MS_NN__COLD int ms_nn__pass_make(ms_nn__pass *p, const ms_nn_collapse *c, size_t length, size_t *bytes)
-{
-    ms__arena a;
-    memset(p, 0, sizeof *p);
-    p->c = c;
-    p->length = length;
-    p->across = ms_nn__round_up(c->channels, MS_NN__DOUBLES);
-    for (a.base = NULL;;) {
-        a.used = 0;
-        p->sum = (double *)ms__take(&a, length, sizeof(double));
-        p->w = (double *)ms__take(&a, MS_NN__COLLAPSE_ROWS, ms__size_mul(c->wide, sizeof(double)));
-        p->residual = (double *)ms__take(&a, MS_NN__COLLAPSE_ROWS, ms__size_mul(p->across, sizeof(double)));
-        p->h0 = (double *)ms__take(&a, c->wide, ms__size_mul(p->across, sizeof(double)));
-        *bytes = a.used;
-        if (a.base != NULL) break;
-        a.base = (char *)ms__alloc(&c->nn->options.allocator, a.used);
-        if (a.base == NULL) return 0;
-    }
-    memset(p->w, 0, MS_NN__COLLAPSE_ROWS * c->wide * sizeof(double));
-    memset(p->h0, 0, c->wide * p->across * sizeof(double));
-    return 1;
 }
 
 /* R of W'MW = R'R in place, upper triangles with rows `wide` apart. A pivot below 1e-14 of its column's square is
@@ -3286,83 +3169,72 @@ static void ms_nn__cholesky(double *g, size_t h, size_t wide, double *diagonal)
     }
 }
 
-/* R of a channel whose weights no channel before has. */
-static MS_NN__COLD ms_status ms_nn__collapse_factor(ms_nn_collapse *c, size_t channel, ms_error *error)
+/* The arrays; called to count with arena->base NULL, then to place. Returns where the collapse itself stands. */
+static MS_NN__COLD void *ms_nn__collapse_place(ms_nn_collapse *c, ms__arena *arena)
 {
-    ms_nn__pass p;
-    size_t bytes;
-    if (!ms_nn__pass_make(&p, c, ms__size_mul(c->wide, c->wide), &bytes))
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a collapse of %z features", c->h);
-    p.weight = c->weight + channel * c->m->rows;
-    ms_nn__pass_run(&p);
-    memcpy(c->r + channel * p.length, p.sum, p.length * sizeof(double));
-    ms_nn__cholesky(c->r + channel * p.length, c->h, c->wide, p.w);
-    ms__release(&c->nn->options.allocator, p.sum, bytes);
-    return MS_OK;
-}
-
-/* The network up to its last layer's input, as a view. */
-static MS_NN__COLD ms_nn ms_nn__body_of(const ms_nn *nn)
-{
-    ms_nn body = *nn;
-    body.ops--;
-    body.values = nn->place[nn->ops];
-    return body;
+    const size_t row = ms__size_mul(c->wide, sizeof(double)), across = ms__size_mul(c->across, sizeof(double));
+    void *place = ms__take(arena, 1, sizeof *c);
+    c->r = (double *)ms__take(arena, ms__size_mul(c->channels, c->wide), row);
+    c->h0 = (double *)ms__take(arena, c->channels, row);
+    c->e = (double *)ms__take(arena, c->channels, row);
+    c->owner = (size_t *)ms__take(arena, c->channels, sizeof(size_t));
+    c->weight = (float *)ms__take(arena, c->channels, ms__size_mul(c->m->rows, sizeof(float)));
+    c->w = (double *)ms__take(arena, MS_NN__COLLAPSE_ROWS, row);
+    c->residual = (double *)ms__take(arena, MS_NN__COLLAPSE_ROWS, across);
+    c->turned = (double *)ms__take(arena, c->wide, across);
+    c->sum = (double *)ms__take(arena, c->channels + 4, row);
+    return place;
 }
 
 MS_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, ms_nn_collapse **c,
                                                    ms_error *error)
 {
     const ms_nn__op *last;
-    ms_nn_collapse *made;
-    size_t i, k, h, wide, rows, channels;
-    ms__arena a;
-    ms_status status = MS_OK;
+    ms_nn_collapse made;
+    ms_nn__pass pass;
+    size_t i, k, rows;
+    ms__arena a = {NULL, 0};
     if (nn == NULL || c == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", nn == NULL ? "nn" : "c");
     last = &nn->op[nn->ops - 1];
     if (last->kind != MS_NN__DO_DENSE || last->activation != MS_NN__LINEAR)
         return ms__fail(error, MS_UNSUPPORTED, 0, "only a network whose last layer is dense and linear collapses");
-    channels = nn->channels;
-    h = last->matrix.cols;
-    wide = ms_nn__round_up(h, MS_NN__DOUBLES);
+    memset(&made, 0, sizeof made);
+    memset(&pass, 0, sizeof pass);
+    made.nn = nn;
+    made.body = *nn;
+    made.body.ops--;
+    made.body.values = nn->place[nn->ops];
+    made.m = &last->matrix;
+    made.channels = nn->channels;
+    made.h = last->matrix.cols;
+    made.wide = ms_nn__round_up(made.h, MS_NN__DOUBLES);
+    made.across = ms_nn__round_up(made.channels, MS_NN__DOUBLES);
     rows = last->matrix.rows;
-    for (i = 0; weight && i < channels * rows; ++i)
+    for (i = 0; weight && i < made.channels * rows; ++i)
         if (!ms__finite_f(weight[i]) || weight[i] < 0)
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "weight %z is %g; it must be finite and not negative", i,
                             (double)weight[i]);
-    for (a.base = NULL;;) { /* counted first, then placed */
-        ms_nn_collapse t;
-        memset(&t, 0, sizeof t);
-        a.used = 0;
-        made = (ms_nn_collapse *)ms__take(&a, 1, sizeof *made);
-        t.r = (double *)ms__take(&a, channels, ms__size_mul(ms__size_mul(wide, wide), sizeof(double)));
-        t.h0 = (double *)ms__take(&a, channels, ms__size_mul(wide, sizeof(double)));
-        t.e = (double *)ms__take(&a, channels, ms__size_mul(wide, sizeof(double)));
-        t.owner = (size_t *)ms__take(&a, channels, sizeof(size_t));
-        t.weight = (float *)ms__take(&a, channels, ms__size_mul(rows, sizeof(float)));
-        if (made != NULL) {
-            *made = t;
-            break;
-        }
-        a.base = (char *)ms__alloc(&nn->options.allocator, a.used);
-        if (a.base == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a collapse of %z features", h);
+    ms_nn__collapse_place(&made, &a);
+    made.bytes = a.used;
+    a.base = (char *)ms__alloc(&nn->options.allocator, a.used);
+    if (a.base == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a collapse of %z features", made.h);
+    memset(a.base, 0, made.bytes);
+    a.used = 0;
+    *c = (ms_nn_collapse *)ms_nn__collapse_place(&made, &a);
+    **c = made;
+    for (i = 0; i < made.channels * rows; ++i) made.weight[i] = weight ? weight[i] : 1.0f;
+    pass.c = *c;
+    pass.length = made.wide * made.wide;
+    for (i = 0; i < made.channels; ++i) {
+        for (k = 0; memcmp(made.weight + k * rows, made.weight + i * rows, rows * sizeof(float)) != 0;) ++k;
+        made.owner[i] = k;
+        if (k < i) continue;
+        pass.weight = made.weight + i * rows;
+        pass.sum = made.r + i * pass.length;
+        ms_nn__pass_run(&pass);
+        ms_nn__cholesky(pass.sum, made.h, made.wide, made.w);
     }
-    made->nn = nn;
-    made->m = &last->matrix;
-    made->channels = channels;
-    made->h = h;
-    made->wide = wide;
-    made->bytes = a.used;
-    made->body = ms_nn__body_of(nn);
-    for (i = 0; i < channels * rows; ++i) made->weight[i] = weight ? weight[i] : 1.0f;
-    for (i = 0; status == MS_OK && i < channels; ++i) {
-        for (k = 0; memcmp(made->weight + k * rows, made->weight + i * rows, rows * sizeof(float)) != 0;) ++k;
-        made->owner[i] = k;
-        if (k == i) status = ms_nn__collapse_factor(made, i, error);
-    }
-    if (status != MS_OK) ms_nn_collapse_destroy(made);
-    else *c = made;
-    return status;
+    return MS_OK;
 }
 
 MS_API void ms_nn_collapse_destroy(ms_nn_collapse *c)
@@ -3402,7 +3274,7 @@ static const double *ms_nn__collapse_r(const ms_nn_collapse *c, size_t channel)
 MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target, ms_error *error)
 {
     ms_nn__pass p;
-    size_t bytes, features, i, ch;
+    size_t features, i, ch;
     double norm = 0;
     if (c == NULL || target == NULL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", c == NULL ? "c" : "target");
@@ -3410,8 +3282,10 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
     for (i = 0; i < c->channels * c->m->rows; ++i)
         if (!ms__finite_f(target[i]))
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "target value %z is not finite", i);
-    if (!ms_nn__pass_make(&p, c, ms__size_add(ms__size_mul(ms_nn__round_up(c->channels, 4), c->wide), 1), &bytes))
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a target");
+    memset(&p, 0, sizeof p);
+    p.c = c;
+    p.sum = c->sum;
+    p.length = ms_nn__round_up(c->channels, 4) * c->wide + 1;
     p.target = target;
     ms_nn__pass_run(&p); /* W'M (t - b) = R'R h0 */
     memcpy(c->h0, p.sum, features * sizeof(double));
@@ -3419,7 +3293,7 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
         double *h0 = c->h0 + ch * c->wide;
         ms_nn__solve_transposed(ms_nn__collapse_r(c, ch), c->h, c->wide, h0);
         ms_nn__solve(ms_nn__collapse_r(c, ch), c->h, c->wide, h0);
-        for (i = 0; i < c->h; ++i) p.h0[i * p.across + ch] = h0[i];
+        for (i = 0; i < c->h; ++i) c->turned[i * c->across + ch] = h0[i];
     }
     p.has_h0 = 1;
     ms_nn__pass_run(&p); /* W'M res = R'e and |res|_M^2 of h0 */
@@ -3429,7 +3303,6 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
     for (i = 0; i < features; ++i) norm += c->e[i] * c->e[i];
     c->rest = p.sum[p.length - 1] > norm ? p.sum[p.length - 1] - norm : 0.0;
     c->has_target = 1;
-    ms__release(&c->nn->options.allocator, p.sum, bytes);
     return MS_OK;
 }
 

@@ -61,10 +61,6 @@
    residuals are NaN, infinite or beyond 1e300 is worse than every other point, not an error; a derivative that is not
    finite is MS_BAD_DATA.
 
-   Configuration (define before the implementation)
-   ------------------------------------------------
-   MS_DEF   linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
-
    Limits
    ------
    256 parameters; dense Jacobians. The answer is a minimum near one of the candidates; restarts look further. Times and
@@ -199,7 +195,8 @@ typedef struct ms_pme_function {
     size_t residual_count; /* m >= 1 */
     /* r [m] out. jacobian [m][n] row-major out, d r_i / d x_j; NULL: not asked for. */
     ms_status (*residuals)(void *user, const double *x, double *r, double *jacobian);
-    int residuals_only;          /* non-zero: `residuals` cannot fill a Jacobian; forward differences take its place */
+    int residuals_only;          /* non-zero: `residuals` cannot fill a Jacobian; forward differences take its place, of
+                                    steps for double precision (a match: 1e-3 of the range, for pictures of floats) */
     double jacobian_cost;        /* cost of a call with a Jacobian, in evaluations; 0: 1 + n / 4 */
     const double *lower, *upper; /* [n]; NULL: no bound on that side; infinities allowed */
 } ms_pme_function;
@@ -208,25 +205,17 @@ typedef struct ms_pme_function {
 typedef enum ms_pme_stop {
     MS_PME_STOP_CONVERGED = 0, /* the step or the decrease fell below its tolerance, or f is 0 */
     MS_PME_STOP_COST = 1,      /* max_cost spent */
-    MS_PME_STOP_SECONDS = 2,   /* max_seconds spent */
-    MS_PME_STOP_INITIAL = 3    /* a match with initial_only: nothing was refined */
+    MS_PME_STOP_INITIAL = 2    /* a match with initial_only: nothing was refined */
 } ms_pme_stop;
 
 /* All zero gives the defaults; ms_pme_defaults() returns that. */
 typedef struct ms_pme_options {
-    double max_cost;    /* in evaluations (a Jacobian counts jacobian_cost), never exceeded; 0: 1000, or what 20 steps
+    double max_cost;  /* in evaluations (a Jacobian counts jacobian_cost), never exceeded; 0: 1000, or what 20 steps
                            cost if that is more (a match: 50, or 8 steps) */
-    double max_seconds; /* of `clock`, from the call; 0: no limit. The first evaluation is always made; a later
-                           callback only if, at the pace so far, it ends less than 5% after the limit */
-    double tolerance;   /* relative decrease and relative step taken as converged; 0: 1e-10 */
-    double difference_step; /* step of forward differences, as a fraction of upper - lower; without both bounds, of
-                               |x_j| (of the start's, or 1, if that is more or x_j is 0). 0: near the best for residuals
-                               in double precision (a match: 1e-3, for pictures of floats) */
+    double tolerance; /* relative decrease and relative step taken as converged; 0: 1e-10 */
     int restarts;  /* further starts while cost is left. Each ends at a relative decrease of 1e-3 unless it improves on
                       the best point */
     uint64_t seed; /* of the random starts */
-    double (*clock)(void *user); /* seconds, from any origin; may be NULL without max_seconds */
-    void *clock_user;
     ms_allocator allocator; /* one block of about (m n + 2 m + 2 n^2) doubles, released before the call returns */
 } ms_pme_options;
 
@@ -279,7 +268,7 @@ typedef struct ms_pme_renderer {
 MS_API ms_pme_renderer ms_pme_renderer_defaults(void); /* all zero */
 
 typedef struct ms_pme_match_options {
-    ms_pme_options refine;    /* max_cost is spent after the candidates; max_seconds counts from the call */
+    ms_pme_options refine;    /* max_cost is spent after the candidates */
     int initial_only;         /* non-zero: the best candidate is the answer */
     const double *candidates; /* [candidate_count][n]: the previous frame's answer, the source material; may be NULL */
     int candidate_count;
@@ -287,19 +276,15 @@ typedef struct ms_pme_match_options {
                          finite picture */
     const double *source; /* [n] center of the pulls */
     const double *pull;   /* [n] >= 0: pull (x_j - source_j)^2 is added to RMSE^2; NULL: none */
-    double *deviation;    /* [n] out, or NULL: standard deviations of x for independent errors of the size of the RMSE;
-                             0 where bounds are equal, about 0.29 of the range (uniform) if the picture does not
-                             determine x_j */
 } ms_pme_match_options;
 
 typedef struct ms_pme_match_result {
-    double rmse;         /* weighted, in the image's unit, from one real render of x */
-    double rmse_initial; /* of the best candidate */
-    int best_candidate;  /* predictions come first, then `candidates`, then random ones (or the middle) */
-    ms_pme_result
-        refine;  /* without the candidates; its value is RMSE^2 and the pulls; steps 0: no step was made from any
-                             of them; stop says why the whole match ended */
-    double cost; /* in renders: candidates, refinement, the last render; not predictions and deviations */
+    double rmse;          /* weighted, in the image's unit, from one real render of x */
+    double rmse_initial;  /* of the best candidate */
+    int best_candidate;   /* predictions come first, then `candidates`, then random ones (or the middle) */
+    ms_pme_result refine; /* without the candidates; its value is RMSE^2 and the pulls; steps 0: none was made; stop
+                             says why the whole match ended */
+    double cost;          /* in renders: candidates, refinement, the last render; not predictions */
 } ms_pme_match_result;
 
 MS_API ms_pme_match_options ms_pme_match_defaults(void); /* all zero */
@@ -312,7 +297,7 @@ MS_API ms_pme_match_options ms_pme_match_defaults(void); /* all zero */
    MS_INVALID_ARGUMENT: as ms_pme_minimize; a target that is not finite, a negative or non-finite weight (position: its
    index), weights that are all 0, no candidate with a finite picture, a reduced function of another target or other
    weights (RMSE off by a thousandth and 1e-5 of the target's root mean square).
-   MS_OUT_OF_MEMORY, or the status of a callback. Outputs are untouched on failure: x, image, deviation, result. */
+   MS_OUT_OF_MEMORY, or the status of a callback. Outputs are untouched on failure. */
 MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *target, const float *weight,
                               const ms_pme_match_options *options, double *x, float *image, ms_pme_match_result *result,
                               ms_error *error);
@@ -470,9 +455,8 @@ static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t p
 /* ---- small maths ----------------------------------------------------------------------------------------------- */
 
 #define MS_PME__INF ((double)HUGE_VAL)
-#define MS_PME__SOLVERS 16  /* local solvers at a time, and candidates that a match keeps, at most */
-#define MS_PME__ROWS 32     /* rows of the Jacobian that one QR update takes: they stay in the cache */
-#define MS_PME__TOGETHER 20 /* rounds of a bounded problem before it is taken one parameter at a time */
+#define MS_PME__SOLVERS 16 /* local solvers at a time, and candidates that a match keeps, at most */
+#define MS_PME__ROWS 32    /* rows of the Jacobian that one QR update takes: they stay in the cache */
 
 static double ms_pme__dot(const double *a, const double *b, int n)
 {
@@ -570,10 +554,10 @@ static double ms_pme__square(double x)
 typedef struct ms_pme__run {
     const ms_pme_function *function;
     const ms_pme_options *options;
-    int n, boxed; /* boxed: a match whose parameters all have a range */
+    int n, match; /* match: differences are of pictures of floats */
+    int boxed;    /* a match whose parameters all have a range */
     size_t m;
-    double max_cost, tolerance, jacobian_cost, start_time;
-    double charged, reserve;                 /* cost since the start, and of what follows the run: for max_seconds */
+    double max_cost, tolerance, jacobian_cost;
     double *lower, *upper, *best, best_norm; /* [n] each; |r| at the best point */
     double *typical;                         /* [n] the range of a parameter, else the size of its start */
     double *residual, *trial_residual;       /* [m] at the point of the Jacobian; at the last other point */
@@ -585,8 +569,7 @@ typedef struct ms_pme__run {
     double *point;    /* [SOLVERS][2 n] x and scale of the local solvers */
     double *work;     /* workspace of one step */
     ms_pme_result result;
-    int stopped;   /* by the budget, a failure or f = 0: no callback follows */
-    int uncharged; /* evaluations for the standard deviations: outside the budget, and never the best point */
+    int stopped; /* by the budget, a failure or f = 0: no callback follows */
     ms_status status;
     int bad;         /* the parameter by which a derivative is not finite; -1: none */
     uint64_t random; /* state of the generator */
@@ -608,33 +591,18 @@ static int ms_pme__fail(ms_pme__run *run, ms_status status)
     return run->stopped = 1;
 }
 
-/* Non-zero, and the run is stopped: a callback of this cost would end after max_seconds, at the pace so far. */
-static int ms_pme__late(ms_pme__run *run, double cost)
-{
-    const ms_pme_options *options = run->options;
-    double spent;
-    if (!(options->max_seconds > 0) || !(run->charged > 0)) return 0;
-    spent = options->clock(options->clock_user) - run->start_time;
-    return (spent >= options->max_seconds ||
-            spent + spent / run->charged * (cost + run->reserve) > 1.05 * options->max_seconds) &&
-        ms_pme__stop(run, MS_PME_STOP_SECONDS);
-}
-
 /* Charges the budget before a callback. Non-zero: the run has stopped. */
 static int ms_pme__charge(ms_pme__run *run, double cost)
 {
-    if (run->stopped || run->uncharged) return run->stopped;
+    if (run->stopped) return 1;
     if (run->result.cost + cost > run->max_cost * (1 + 1e-12)) return ms_pme__stop(run, MS_PME_STOP_COST);
-    if (ms_pme__late(run, cost)) return 1;
     run->result.cost += cost;
-    run->charged += cost;
     return 0;
 }
 
 /* Records |r(x)|: keeps the best point and stops at 0. */
 static double ms_pme__record(ms_pme__run *run, const double *x, double norm)
 {
-    if (run->uncharged) return norm;
     if (norm < run->best_norm) {
         run->best_norm = norm;
         ms_pme__copy(run->best, x, run->n);
@@ -662,9 +630,8 @@ static double ms_pme__step_cost(const ms_pme__run *run)
 /* The step of a forward difference in x_j, inside the box. */
 static double ms_pme__difference_step(const ms_pme__run *run, double x, int j)
 {
-    double typical = run->typical[j], fraction = run->options->difference_step, h;
-    if (fraction > 0)
-        h = fraction * (ms__finite(run->upper[j] - run->lower[j]) ? typical : ms_pme__max(fabs(x), typical));
+    double typical = run->typical[j], h;
+    if (run->match) h = 1e-3 * (ms__finite(run->upper[j] - run->lower[j]) ? typical : ms_pme__max(fabs(x), typical));
     else h = 1.5e-8 * ms_pme__max(fabs(x), 1e-2 * typical); /* sqrt(DBL_EPSILON) */
     if (!(h > 1e-15 * fabs(x))) h = 1e-15 * fabs(x) + DBL_MIN;
     if (x + h <= run->upper[j]) return h;
@@ -756,16 +723,14 @@ static void ms_pme__solve_free(const double *triangle, int n, const double *weig
 }
 
 /* d [n] minimizes |R d - b|^2 + sum (weight_j d_j)^2 over low <= d <= high, low <= 0 <= high: the active-set method of
-   Stark and Parker (1995), finite and exact; each set is a QR factorization. To need few of them, it begins with
-   rounds in which all parameters that should change sides do so together. state in: a guess of the active set (0 free,
-   -1 at low, 1 at high); out: the active set. z [n]; the others as above. */
+   Stark and Parker (1995), finite and exact; each set is a QR factorization. state in: a guess of the active set (0
+   free, -1 at low, 1 at high); out: the active set. z [n]; the others as above. */
 static void ms_pme__bounded_least_squares(const double *triangle, int n, const double *weight, const double *low,
                                           const double *high, double *d, int *state, double *z, double *work)
 {
     int w = n + 1, change, i, j, released = -1;
     for (j = 0; j < n; ++j) d[j] = state[j] < 0 ? low[j] : state[j] > 0 ? high[j] : 0;
-    for (change = 0; change < 4 * n + 8 + MS_PME__TOGETHER; ++change) {
-        const int together = change < MS_PME__TOGETHER;
+    for (change = 0; change < 4 * n + 8; ++change) {
         int worst = -1, hit = -1;
         double alpha = 1, steepest = 0, *size = work;
         ms_pme__solve_free(triangle, n, weight, state, d, z, work);
@@ -773,12 +738,6 @@ static void ms_pme__bounded_least_squares(const double *triangle, int n, const d
             double limit, t;
             if (state[j] != 0 || (z[j] >= low[j] && z[j] <= high[j])) continue;
             limit = z[j] < low[j] ? low[j] : high[j];
-            if (together) {
-                state[j] = z[j] < low[j] ? -1 : 1;
-                d[j] = limit;
-                hit = j;
-                continue;
-            }
             t = z[j] < d[j] || z[j] > d[j] ? (limit - d[j]) / (z[j] - d[j]) : 0;
             if (t < alpha || hit < 0) {
                 alpha = ms_pme__clip(t, 0, 1);
@@ -787,7 +746,6 @@ static void ms_pme__bounded_least_squares(const double *triangle, int n, const d
         }
         for (j = 0; j < n; ++j)
             if (state[j] == 0) d[j] = ms_pme__clip(d[j] + alpha * (z[j] - d[j]), low[j], high[j]);
-        if (hit >= 0 && together) continue;
         if (hit >= 0) {
             state[hit] = z[hit] < low[hit] ? -1 : 1;
             d[hit] = state[hit] < 0 ? low[hit] : high[hit];
@@ -809,9 +767,8 @@ static void ms_pme__bounded_least_squares(const double *triangle, int n, const d
             }
             push = state[j] < 0 ? t : -t;
             if (push > 1e-14 * terms && push > steepest) {
-                steepest = together ? 0 : push;
+                steepest = push;
                 worst = j;
-                if (together) state[j] = 0;
             }
         }
         if (worst < 0) break;
@@ -1079,9 +1036,8 @@ static ms_status ms_pme__check_count(int n, ms_error *error)
 static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_options *options, const double *x,
                                ms_error *error)
 {
-    static const char *const name[5] = {"max_cost", "max_seconds", "tolerance", "difference_step", "jacobian_cost"};
-    const double value[5] = {options->max_cost, options->max_seconds, options->tolerance, options->difference_step,
-                             function->jacobian_cost};
+    static const char *const name[3] = {"max_cost", "tolerance", "jacobian_cost"};
+    const double value[3] = {options->max_cost, options->tolerance, function->jacobian_cost};
     int j;
     if (ms_pme__check_count(function->parameter_count, error) != MS_OK) return MS_INVALID_ARGUMENT;
     if (function->residuals == NULL) return ms_pme__null("function->residuals", error);
@@ -1089,11 +1045,10 @@ static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_opt
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "residual_count is 0, expected 1 or more");
     if (options->restarts < 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "restarts is %d, expected 0 or more", options->restarts);
-    for (j = 0; j < 5; ++j)
+    for (j = 0; j < 3; ++j)
         if (!ms__finite(value[j]) || value[j] < 0)
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g, expected 0 (the default) or a number above it",
                             name[j], value[j]);
-    if (options->max_seconds > 0 && options->clock == NULL) return ms_pme__null("options->clock", error);
     for (j = 0; j < function->parameter_count; ++j) {
         double low = function->lower ? function->lower[j] : -MS_PME__INF,
                high = function->upper ? function->upper[j] : MS_PME__INF;
@@ -1119,12 +1074,11 @@ typedef struct ms_pme__objective {
     const ms_pme_match_options *options;
     const float *target, *weight;
     double weight_sum, size;        /* size: root mean square of the target */
-    size_t m, compared;             /* residuals without pulls; values with a weight */
+    size_t m;                       /* residuals without pulls */
     int n, pool_size, given, total; /* parameters; candidates: kept, given, with the random ones */
     double low[MS_PME_PARAMETERS_MAX], high[MS_PME_PARAMETERS_MAX];
     float *image, *jacobian;  /* [p], [p][n] */
     double *pool, *pool_norm; /* [pool_size + 1][n] the best candidates in order, then workspace; |r| of each */
-    double *deviation;        /* [n] */
 } ms_pme__objective;
 
 /* The arrays of a run, and of a match (o, or NULL); called to count with arena->base NULL, then to place. */
@@ -1149,7 +1103,6 @@ static void ms_pme__layout(ms_pme__run *run, ms_pme__objective *o, ms__arena *ar
     pictures = o->renderer->reduced || run->function->residuals_only ? 0 : ms__size_mul(p, n);
     o->pool = ms_pme__doubles(arena, ((size_t)o->pool_size + 1) * n);
     o->pool_norm = ms_pme__doubles(arena, (size_t)o->pool_size + 1);
-    o->deviation = ms_pme__doubles(arena, n);
     o->image = (float *)ms__take(arena, p, sizeof(float));
     o->jacobian = (float *)ms__take(arena, pictures, sizeof(float));
 }
@@ -1178,6 +1131,7 @@ static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function
     run->options = options;
     run->n = function->parameter_count;
     run->m = function->residual_count;
+    run->match = o != NULL;
     run->tolerance = options->tolerance > 0 ? options->tolerance : 1e-10;
     run->bad = -1;
     run->jacobian_cost = function->jacobian_cost > 0 ? function->jacobian_cost : 1 + 0.25 * run->n;
@@ -1187,7 +1141,6 @@ static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function
     run->best_norm = MS_PME__INF;
     run->random = options->seed;
     run->random = ms_pme__random(&run->random); /* seeds that follow each other start apart */
-    run->start_time = options->max_seconds > 0 ? options->clock(options->clock_user) : 0;
     ms_pme__layout(run, o, &arena);
     run->block_size = ms__size_add(arena.used, 63);
     run->block = ms__alloc(&options->allocator, run->block_size);
@@ -1349,11 +1302,10 @@ static ms_status ms_pme__check_match(ms_pme__objective *o, ms_error *error)
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "weight %z is %g, expected a finite number >= 0", i, w);
         if (w > 0 && !ms__finite(t))
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "target %z is %g, expected a finite number", i, t);
-        o->compared += w > 0;
         o->weight_sum += w;
         if (w > 0) o->size += w * t * t;
     }
-    if (o->compared == 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "every weight is 0: nothing to match");
+    if (!(o->weight_sum > 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "every weight is 0: nothing to match");
     o->size = sqrt(o->size / o->weight_sum);
     return MS_OK;
 }
@@ -1412,7 +1364,6 @@ static int ms_pme__candidates(ms_pme__run *run, ms_pme__objective *o, ms_pme_mat
     for (i = 0; (i < o->total || (i == o->total && !ms__finite(run->best_norm))) && !run->stopped; ++i) {
         double before = run->best_norm, norm;
         int finite = 1;
-        if (ms_pme__late(run, 1)) break;
         ms_pme__candidate(run, o, i, x);
         for (j = 0; j < n; ++j) {
             finite &= ms__finite(x[j]);
@@ -1431,59 +1382,6 @@ static int ms_pme__candidates(ms_pme__run *run, ms_pme__objective *o, ms_pme_mat
     }
     answer->cost = run->result.cost;
     return kept;
-}
-
-/* The triangle of the derivatives at the answer; columns of parameters with equal bounds are 0. */
-static void ms_pme__answer_derivatives(ms_pme__run *run)
-{
-    int j;
-    size_t row;
-    run->stopped = 0;
-    run->uncharged = 1;
-    if (!ms__finite(ms_pme__linearize(run, run->best, MS_PME__INF))) return;
-    for (j = 0; j < run->n; ++j)
-        for (row = 0; row < run->m && !(run->lower[j] < run->upper[j]); ++row)
-            run->jacobian[row * (size_t)run->n + (size_t)j] = 0;
-    ms_pme__factor(run, run->best_norm);
-}
-
-/* Standard deviations of x from that triangle: a linear model with noise of the size of the RMSE in each compared
-   value, and a prior variance of range^2 / 12 for each parameter. The noise is no finer than floats: 1e-7 of the target
-   or of what the strongest parameter does to the picture. */
-static void ms_pme__deviations(ms_pme__run *run, ms_pme__objective *o, double rmse)
-{
-    int n = run->n, w = n + 1, j, k, i;
-    double noise = 1e-7 * o->size, sigma, *variance = o->deviation, *y = run->work, *row = run->work;
-    int idle[MS_PME_PARAMETERS_MAX]; /* a range, and no effect on the picture */
-    for (j = 0; j < n; ++j) {
-        double range = run->upper[j] - run->lower[j];
-        if (ms__finite(range)) /* 1e39: floats end before */
-            noise = ms_pme__max(noise,
-                                1e-7 * ms_pme__clip(range * run->unit[j] * ms_pme__column_norm(run, j), 0, 1e39));
-        variance[j] = 0;
-    }
-    noise = ms_pme__max(noise, rmse);
-    sigma = (noise > 0 ? noise : 1) / sqrt((double)o->compared);
-    for (j = 0; j < n; ++j) { /* one residual sqrt(12) sigma x_j / range for each parameter; squares are numbers */
-        double range = run->upper[j] - run->lower[j], change = range * run->unit[j], prior = sqrt(12.0) * sigma;
-        idle[j] = !(ms_pme__column_norm(run, j) > 0) && ms__finite(range);
-        if (idle[j] || !(range > 0)) prior = 1;
-        else if (!ms__finite(range)) prior = 0;
-        else prior = change > prior * 1e-100 ? ms_pme__max(prior / change, 1e-100) : 1e100;
-        for (k = 0; k < w; ++k) row[k * MS_PME__ROWS] = k == j ? prior : 0;
-        ms_pme__qr_append(run->triangle, n, row, 1);
-    }
-    for (k = 0; k < n; ++k) /* column k of the inverse */
-        for (i = k; i >= 0; --i) {
-            double t = i == k, pivot = run->triangle[i * w + i];
-            for (j = i + 1; j <= k; ++j) t -= run->triangle[i * w + j] * y[j];
-            y[i] = fabs(pivot) > 0 ? t / pivot : 0;
-            variance[i] += y[i] * y[i];
-        }
-    for (j = 0; j < n; ++j) { /* data never widen the prior */
-        double widest = (run->upper[j] - run->lower[j]) / sqrt(12.0);
-        o->deviation[j] = idle[j] ? widest : ms_pme__clip(sigma * sqrt(variance[j]) / run->unit[j], 0, widest);
-    }
 }
 
 /* The picture of the answer and its RMSE, which a reduced function must agree with. */
@@ -1515,7 +1413,6 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
                               ms_error *error)
 {
     ms_pme_match_options defaults = ms_pme_match_defaults();
-    ms_pme_options refine;
     ms_pme_match_result answer;
     ms_pme_function function;
     ms_pme__objective o;
@@ -1535,11 +1432,8 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     if (status != MS_OK) return status;
     if (x == NULL) return ms_pme__null("x", error);
     ms_pme__objective_init(&o, &function);
-    refine = options->refine;
-    if (!(refine.difference_step > 0) && !(refine.difference_step < 0)) refine.difference_step = 1e-3; /* of floats */
-    status = ms_pme__begin(&run, &function, &refine, NULL, &o, error);
+    status = ms_pme__begin(&run, &function, &options->refine, NULL, &o, error);
     if (status != MS_OK) return status;
-    run.reserve = 1 + (options->deviation ? ms_pme__step_cost(&run) - 1 : 0); /* the last render, the deviations */
     for (j = 0, run.boxed = 1; j < run.n; ++j) run.boxed &= ms__finite(run.upper[j] - run.lower[j]);
 
     /* candidates, without a limit of cost */
@@ -1563,17 +1457,12 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     if (run.status == MS_OK && !ms__finite(run.best_norm))
         status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "no candidate has a finite picture (%g renders)", answer.cost);
 
-    /* deviations and one real render, then the outputs */
-    if (status == MS_OK && run.status == MS_OK && options->deviation != NULL) ms_pme__answer_derivatives(&run);
+    /* one real render, then the outputs */
     if (run.status != MS_OK) status = ms_pme__failure(&run, error);
     if (status == MS_OK) status = ms_pme__last_render(&run, &o, &answer, error);
     if (status == MS_OK) {
         ms_pme__copy(x, run.best, o.n);
         if (image != NULL) memcpy(image, o.image, renderer->image_size * sizeof *image);
-        if (options->deviation != NULL) {
-            ms_pme__deviations(&run, &o, answer.rmse);
-            ms_pme__copy(options->deviation, o.deviation, o.n);
-        }
         if (result != NULL) *result = answer;
     }
     ms_pme__end(&run);
@@ -1583,7 +1472,6 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
 #undef MS_PME__INF
 #undef MS_PME__SOLVERS
 #undef MS_PME__ROWS
-#undef MS_PME__TOGETHER
 #undef MS_PME__SCALE_DECAY
 #endif /* MS_PME_IMPLEMENTATION */
 

@@ -789,7 +789,6 @@ static const struct {
     {run_pme, NULL, FIELD(ms_pme_options, max_cost, 'd'), 1000, 12},
     {run_pme, NULL, FIELD(ms_pme_options, tolerance, 'd'), 1e-10, 1e-2},
     {run_match, NULL, FIELD(ms_pme_match_options, refine.max_cost, 'd'), 50, 9},
-    {run_match, NULL, FIELD(ms_pme_match_options, refine.difference_step, 'd'), 1e-3, 0.05},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, evaluations, 'i'), 200, 3},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, tau, 'd'), 0.6, 0.4},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, avoid_distance, 'd'), 0.15, 0.3},

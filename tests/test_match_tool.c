@@ -119,12 +119,10 @@ static void test_formats(void)
     }
 }
 
-/* What a mask hides does not matter, whether the mask is gray, in color, or the picture's own alpha; a mask of a few
-   pixels says what it leaves open. */
+/* What a mask hides does not matter, whether the mask is gray, in color, or the picture's own alpha. */
 static void test_masks(void)
 {
-    image im = picture(3, 1), rgba = picture(4, 1), gray = image_new(S, S, 1), color = image_new(S, S, 3),
-          few = image_new(2 * S, 2 * S, 1);
+    image im = picture(3, 1), rgba = picture(4, 1), gray = image_new(S, S, 1), color = image_new(S, S, 3);
     double x[N], first[N];
     int i, c;
     if (!have_tool()) SKIP("build/match is not there; make builds it");
@@ -137,12 +135,10 @@ static void test_masks(void)
         }
         rgba.pixels[4 * i + 3] = (float)!hidden;
     }
-    for (i = 0; i < 4; ++i) few.pixels[2 * S * (6 + i / 2) + 8 + i % 2] = 1;
     image_write(FOLDER "seen.ppm", &im);
     image_write(FOLDER "seen.png", &rgba);
     image_write(FOLDER "mask.pgm", &gray);
     image_write(FOLDER "mask.png", &color);
-    image_write(FOLDER "few.png", &few);
     answer(FOLDER "seen.ppm --weights " FOLDER "mask.pgm", first);
     answer(FOLDER "seen.ppm --weights " FOLDER "mask.png", x);
     CHECK(memcmp(x, first, sizeof x) == 0);
@@ -153,13 +149,10 @@ static void test_masks(void)
     image_write(FOLDER "seen.ppm", &im);
     answer(FOLDER "seen.ppm --weights " FOLDER "mask.pgm", x);
     CHECK(memcmp(x, first, sizeof x) == 0);
-    answer(FOLDER "seen.ppm --weights " FOLDER "few.png", x); /* three values for 19 parameters */
-    CHECK(strstr(said, "hardly determines: 0, 1, 2") != NULL);
     image_free(&im);
     image_free(&rgba);
     image_free(&gray);
     image_free(&color);
-    image_free(&few);
 }
 
 /* Names of a header line come back, in what is printed and in what is written. */
@@ -209,7 +202,6 @@ static void test_sequences_and_views(void)
         k += fabs(x[i] - start[i]) > 0.0499;
     }
     CHECK(k > 5); /* another picture: it goes as far as it may */
-    CHECK(strstr(said, "standard deviations: ") != NULL);
     CHECK(answer(FOLDER "a.ppm --start " FOLDER "last.csv --change 0", x) > 0);
     for (i = 0; i < N; ++i) CHECK_NEAR(x[i], start[i], 1e-6);
     CHECK_INT(run(FOLDER "a.ppm --change 0.1"), 2);
@@ -322,7 +314,7 @@ static void test_logo(void)
 }
 
 /* What a match is worth: a held-out material, an edit of it, noise without a material; what others' formats are told;
-   the time limit counts all rounds; light without surroundings. */
+   light without surroundings. */
 static void test_verdict(void)
 {
     static const struct {
@@ -377,9 +369,6 @@ static void test_verdict(void)
     image_write(FOLDER "noise.png", &clean);
     CHECK_INT(run(FOLDER "noise.png --inversion examples/data --out-params " CSV), 3);
     CHECK(strstr(said, "nothing like this picture") != NULL);
-    code = run(FOLDER "half.png --inversion examples/data --robust --cost 100000 --seconds 0.2");
-    CHECK(code == 0 || code == 3); /* how far it comes in that time, no test can say */
-    CHECK(strstr(said, "time spent") != NULL);
     net = NET;
     image_free(&sheet);
     image_free(&clean);
@@ -395,8 +384,7 @@ static void test_mistakes(void)
                                           {FOLDER "a.ppm --cost 1e9999", "--cost"},
                                           {FOLDER "a.ppm --cost nan", "--cost"},
                                           {FOLDER "a.ppm --cost 0", "--cost"},
-                                          {FOLDER "a.ppm --cost 50x", "--cost"},
-                                          {FOLDER "a.ppm --seconds -1", "--seconds"}};
+                                          {FOLDER "a.ppm --cost 50x", "--cost"}};
     static const char *const files[][2] = {
         {FOLDER "missing.png", "missing.png"},
         {FOLDER "nan.pfm", "column 2, row 1 has a value that is negative or not finite"},

@@ -2,7 +2,7 @@
    it. cc -O2 -I. examples/tools/match.c -o build/match -lm
 
      build/match RENDERER.safetensors TARGET.(png|ppm|pgm|pfm) [--inversion DIR] [--weights MASK.(png|pgm|ppm|pfm)]
-                 [--start X.csv] [--cost 50] [--seconds 0] [--robust] [--align] [--exposure] [--tint] [--freeze
+                 [--start X.csv] [--cost 50] [--robust] [--align] [--exposure] [--tint] [--freeze
                  NAME,NUMBER,...] [--pull 0] [--change 1] [--view RENDERER.safetensors TARGET]... [--out-params CSV]
                  [--out-png PNG]
 
@@ -10,16 +10,14 @@
    RGB or with alpha (a pixel counts as much as it covers); display values in PNG, PPM and PGM, linear light in a PFM,
    which is converted. DIR holds inversion networks for first guesses, X.csv one more: the source material, or the last
    frame's answer; without either the search starts in the middle of the box. MASK: the weight of each pixel, a channel
-   each where it has color. --cost: renders to spend on the refinement, --seconds: no longer than that, from
-   when all files are read; the objective, one candidate and one picture are always made. --robust: what
-   fits badly (a logo, a stitch) counts as an outlier. --exposure, --tint: a gain of the picture, or one a channel with
+   each where it has color. --cost: renders to spend on the refinement. --robust: what fits badly (a logo, a stitch) counts as an outlier. --exposure, --tint: a gain of the picture, or one a channel with
    an offset, is found along, and is not the material's. --align: the target has slipped by up to an eighth of its
    width; it is moved back. --freeze keeps parameters as X.csv has them, --pull holds all of them to it (0.01: a change
    by 1 costs as much as an RMSE of 0.1), --change lets none go further from it: for frames of a sequence. --view:
    another picture of the same material, by a renderer of its own (another view, light or size), up to seven; all count
    in one objective, without --weights, --robust, --align, --exposure and --tint. The parameters go to CSV as a line of
    names and a row: the names of the renderer's metadata "ms_parameters" (separated by commas), else those of X.csv. The
-   PNG has gain and offset applied. The last line but two says how good the match is; the exit code is 3, with all files
+   PNG has gain and offset applied. The line of the verdict says how good the match is; the exit code is 3, with all files
    written, where the renderer can draw nothing like the picture, or nothing nearer than one color. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
@@ -33,7 +31,7 @@
 #include "materials.h"
 
 static const char usage_text[] =
-    "usage: match RENDERER.safetensors TARGET.(png|ppm|pgm|pfm) [--inversion DIR] [--weights MASK] [--start X.csv] [--cost 50] [--seconds 0] "
+    "usage: match RENDERER.safetensors TARGET.(png|ppm|pgm|pfm) [--inversion DIR] [--weights MASK] [--start X.csv] [--cost 50] "
     "[--robust] [--align] [--exposure] [--tint] [--freeze NAME,...] [--pull 0] [--change 1] [--view RENDERER TARGET]... [--out-params CSV] [--out-png PNG]";
 
 static int fail(const char *path, const char *what)
@@ -171,26 +169,9 @@ static int freeze(const char *list, const char *names, int n, const double *sour
     }
 }
 
-/* The standard deviations, and the parameters that the picture leaves open: errors of the size of the RMSE in every
-   value would move them by more than a tenth of their range. */
-static void print_open(const double *deviation, int n, const char *names)
-{
-    char name[64];
-    int i, count = 0;
-    for (i = 0; i < n; ++i) printf("%s%.4f", i ? " " : "standard deviations: ", deviation[i]);
-    printf("\n");
-    for (i = 0; i < n; ++i)
-        if (!(deviation[i] < 0.1)) {
-            name_of(names, i, name, sizeof name);
-            printf("%s%d%s%s", count++ ? ", " : "parameters that the picture hardly determines: ", i, *name ? " " : "",
-                   name);
-        }
-    if (count) printf("\n");
-}
-
 int main(int argc, char **argv)
 {
-    static const char *const stop[] = {"converged", "cost spent", "time spent"};
+    static const char *const stop[] = {"converged", "cost spent"};
     static matcher m, further[matcher_views_max];
     static matcher_views views;
     static char header[32768], text[40000];
@@ -200,8 +181,7 @@ int main(int argc, char **argv)
     const char *problem, *names, *frozen = NULL, *view[2 * matcher_views_max];
     matcher *all[matcher_views_max];
     double low[MS_PME_PARAMETERS_MAX], high[MS_PME_PARAMETERS_MAX], pulls[MS_PME_PARAMETERS_MAX],
-        pull = 0, change = 1, deviation[MS_PME_PARAMETERS_MAX], x[MS_PME_PARAMETERS_MAX], source[MS_PME_PARAMETERS_MAX],
-        cost = 50, limit = 0, seconds;
+        pull = 0, change = 1, x[MS_PME_PARAMETERS_MAX], source[MS_PME_PARAMETERS_MAX], cost = 50, seconds;
     ms_pme_match_options options = ms_pme_match_defaults();
     ms_pme_match_result result;
     matcher_found found;
@@ -236,9 +216,6 @@ int main(int argc, char **argv)
             if (!number(argv[++i], 0, &pull)) return fail(argv[i], "--pull takes a number from 0 to 1e9") + 1;
         } else if (strcmp(argv[i], "--cost") == 0) {
             if (!number(argv[++i], 1, &cost)) return fail(argv[i], "--cost takes a number from 1 to 1e9") + 1;
-        } else if (strcmp(argv[i], "--seconds") == 0) {
-            if (!number(argv[++i], 0, &limit))
-                return fail(argv[i], "--seconds takes a number from 0 (no limit) to 1e9") + 1;
         } else break;
     }
     if (i < argc || target_path == NULL || (count > 1 && (flags || mask_path))) {
@@ -302,7 +279,7 @@ int main(int argc, char **argv)
         return fail(frozen, "--freeze takes names or numbers of parameters") + 1;
 
     /* the match */
-    seconds = matcher_clock(NULL);
+    seconds = matcher_clock();
     m.renderer.lower = low;
     m.renderer.upper = high;
     if (pull > 0) {
@@ -310,8 +287,6 @@ int main(int argc, char **argv)
         options.pull = pulls;
     }
     options.refine.max_cost = cost;
-    options.refine.max_seconds = limit;
-    options.refine.clock = matcher_clock;
     if (light && matcher_hides_surroundings(weight, m.network.size))
         fprintf(stderr,
                 "match: the weights hide the surroundings: the picture cannot tell the color of the light from the "
@@ -319,17 +294,15 @@ int main(int argc, char **argv)
     options.refine.restarts = 1000; /* while cost is left: from the other first guesses, then from random points */
     options.candidates = source;
     options.candidate_count = start != NULL;
-    options.deviation = deviation;
     if (count == 1) {
         status = matcher_match(&m, target, weight, &options, flags, x, picture, &result, &found, &error);
     } else {
         status = matcher_views_aim(&views, all, count, target, NULL, &error);
-        if (limit > 0) options.refine.max_seconds = fmax(limit - (matcher_clock(NULL) - seconds), 1e-6);
         if (status == MS_OK)
             status = ms_pme_match(&views.renderer, target, NULL, &options, x, picture, &result, &error);
     }
     if (status != MS_OK) return fail(target_path, error.message);
-    seconds = matcher_clock(NULL) - seconds;
+    seconds = matcher_clock() - seconds;
 
     /* what was found */
     printf("first guess: %s, RMSE %.5f (%.2f of 255)\n",
@@ -354,7 +327,6 @@ int main(int argc, char **argv)
         printf("gain %.3f %.3f %.3f, offset %.3f %.3f %.3f, applied to the PNG\n", found.gain[0], found.gain[1],
                found.gain[2], found.offset[0], found.offset[1], found.offset[2]);
     if (flags & MATCHER_ALIGN) printf("the target lies %.2f pixels right, %.2f down\n", found.shift[0], found.shift[1]);
-    print_open(deviation, n, names);
     for (i = 0; i < n && names; ++i) {
         char name[64];
         name_of(names, i, name, sizeof name);

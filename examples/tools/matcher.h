@@ -650,11 +650,10 @@ static inline void matcher_find_shift(const float *picture, const float *target,
     }
 }
 
-/* Seconds on the wall: a clock for options.refine. */
-static inline double matcher_clock(void *user)
+/* Seconds on the wall. */
+static inline double matcher_clock(void)
 {
     struct timeval t;
-    (void)user;
     gettimeofday(&t, NULL);
     return (double)t.tv_sec + 1e-6 * (double)t.tv_usec;
 }
@@ -721,28 +720,25 @@ static inline ms_status matcher__match(const matcher *m, const ms_pme_renderer *
     const size_t n = (size_t)m->renderer.parameter_count, wide = (size_t)m->lit.parameter_count,
                  count = (size_t)options->candidate_count;
     ms_pme_match_options lit = *options;
-    double *z, *source, *pull, *deviation, *candidates;
+    double *z, *source, *pull, *candidates;
     size_t i, j;
     ms_status status;
     for (i = 0; i < 3; ++i) found->gain[i] = 1, found->offset[i] = 0;
     if (m->gains == 0) return ms_pme_match(renderer, target, weight, options, x, picture, result, error);
-    z = (double *)calloc((count + 4) * wide, sizeof(double));
+    z = (double *)calloc((count + 3) * wide, sizeof(double));
     if (z == NULL) return matcher__fail(error, MS_OUT_OF_MEMORY, "match", ms_status_string(MS_OUT_OF_MEMORY));
     source = z + wide;
     pull = source + wide;
-    deviation = pull + wide;
-    candidates = deviation + wide;
+    candidates = pull + wide;
     for (j = 0; j < n && options->pull; ++j) source[j] = options->source[j], pull[j] = options->pull[j];
     for (j = n; j < wide; ++j) pull[j] = MATCHER__LIGHT_PULL;
     for (i = 0; i < count; ++i) memcpy(candidates + i * wide, options->candidates + i * n, n * sizeof *z);
     lit.source = source;
     lit.pull = pull;
-    lit.deviation = options->deviation ? deviation : NULL;
     lit.candidates = candidates;
     status = ms_pme_match(renderer, target, weight, &lit, z, picture, result, error);
     if (status == MS_OK) {
         memcpy(x, z, n * sizeof *x);
-        if (options->deviation) memcpy(options->deviation, deviation, n * sizeof *x);
         matcher__light_at(m, z, found->gain, found->offset);
     }
     free(z);
@@ -751,9 +747,8 @@ static inline ms_status matcher__match(const matcher *m, const ms_pme_renderer *
 
 /* Aims and matches: with MATCHER_ROBUST what fits badly loses its weight (Tukey), with MATCHER_ALIGN the target is
    moved to where the renderer's pictures lie, in some rounds, each from the last one's answer; with MATCHER_EXPOSURE
-   and MATCHER_TINT the light is found. refine.max_seconds counts from the call by the wall's clock, for all rounds; the
-   objective and the first candidate are always made. picture may not be NULL; found may. The result's RMSE is of what
-   counts in the end. */
+   and MATCHER_TINT the light is found. picture may not be NULL; found may. The result's RMSE is of what counts in the
+   end. */
 static inline ms_status matcher_match(matcher *m, const float *target, const float *weight,
                                       const ms_pme_match_options *options, int flags, double *x, float *picture,
                                       ms_pme_match_result *result, matcher_found *found, ms_error *error)
@@ -765,24 +760,21 @@ static inline ms_status matcher_match(matcher *m, const float *target, const flo
     matcher_found answer;
     float *moved = rounds ? (float *)malloc(3 * p * sizeof(float)) : NULL, *known = moved ? moved + p : NULL,
           *counted = known;
-    double at[2] = {0, 0}, last[2], cost, limit = options->refine.max_seconds,
-           end = limit > 0 ? matcher_clock(NULL) + limit : 0;
+    double at[2] = {0, 0}, last[2], cost;
     int round, n = options->candidate_count;
     ms_status status;
 
     /* the picture as it is */
-    again.refine.clock = matcher_clock;
     matcher_light(m, flags);
     status = matcher_aim(m, target, weight, error);
     renderer = m->gains ? m->lit : m->renderer;
-    if (limit > 0) again.refine.max_seconds = fmax(end - matcher_clock(NULL), 1e-6);
     if (status == MS_OK)
         status = matcher__match(m, &renderer, target, weight, &again, x, picture, result, &answer, error);
     if (rounds && moved == NULL && status == MS_OK)
         status = matcher__fail(error, MS_OUT_OF_MEMORY, "match", ms_status_string(MS_OUT_OF_MEMORY));
 
     /* moved, and without what fits badly, from the last answer */
-    for (round = 0; round < rounds && status == MS_OK && !(limit > 0 && matcher_clock(NULL) >= end); ++round) {
+    for (round = 0; round < rounds && status == MS_OK; ++round) {
         double *guesses = (double *)malloc((size_t)(n + 1) * count * sizeof(double));
         int slipped;
         memcpy(last, at, sizeof at);
@@ -802,7 +794,6 @@ static inline ms_status matcher_match(matcher *m, const float *target, const flo
         again.refine.restarts = slipped ? options->refine.restarts : 0;
         renderer = m->gains ? m->lit : m->renderer;
         if (!slipped) renderer.prediction_count = 0;
-        if (limit > 0) again.refine.max_seconds = fmax(end - matcher_clock(NULL), 1e-6);
         cost = result->cost;
         if (status == MS_OK) {
             ms_pme_match_result better;

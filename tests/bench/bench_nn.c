@@ -530,7 +530,7 @@ static void bench_convolution(void)
     nets_end(f);
     begin_table("nn_convolution.md");
     fprintf(more, "\n| Conv2D 32 -> 32, 3 x 3, 205 x 205 | ms | G multiply-adds/s |\n|---|---:|---:|\n");
-    for (level = MS_SIMD_AVX512; level >= MS_SIMD_SCALAR; --level) {
+    for (level = MS_SIMD_AVX2; level >= MS_SIMD_SCALAR; --level) {
         bench_time t;
         r = runner_make(f, (ms_simd)level, no_threads());
         if ((int)ms_nn_simd(r.nn) == level) {
@@ -660,12 +660,12 @@ static void bench_shared(void)
     begin_table("nn_shared.md");
     fprintf(
         more,
-        "\n| shared-channel renderer, 64 x 64, three channels | file, MB | scalar, ms | base | avx2 | avx512 |\n|---|---:|---:|---:|---:|---:|\n");
+        "\n| shared-channel renderer, 64 x 64, three channels | file, MB | scalar, ms | base | avx2 |\n|---|---:|---:|---:|---:|\n");
     for (k = 0; k < 3; ++k) {
         nets_file *f = (nets_file *)malloc(sizeof *f);
         if (nets_shared(f, 64, 160, types[k])) exit(1);
         fprintf(more, "| %s | %.1f |", ms_nn_dtype_string(types[k]), (double)f->size * 1e-6);
-        for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+        for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX2; ++level) {
             runner r = runner_make(f, (ms_simd)level, no_threads());
             bench_time t = bench_run(run_forward, &r, 31);
             char label[64];

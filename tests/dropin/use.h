@@ -208,12 +208,6 @@ static ms_status use_valley(void *user, const double *x, double *r, double *jaco
     return MS_OK;
 }
 
-static double use_clock(void *user)
-{
-    (void)user;
-    return 0;
-}
-
 static int use_pme(void)
 {
     ms_pme_function function;
@@ -223,7 +217,6 @@ static int use_pme(void)
     function.parameter_count = 2;
     function.residual_count = 2;
     function.residuals = use_valley;
-    options.clock = use_clock;
     options.allocator = use_allocator();
     if (ms_pme_minimize(&function, &options, x, NULL, NULL) != MS_OK) return 1;
     return use_check("ms_pme.h, the end of the valley", x[0] + x[1], 2, 1e-6);

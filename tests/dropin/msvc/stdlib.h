@@ -6,6 +6,7 @@ CRT void *realloc(void *, size_t);
 CRT void free(void *);
 CRT int abs(int);
 CRT void qsort(void *, size_t, size_t, int (*)(const void *, const void *));
+CRT void *bsearch(const void *, const void *, size_t, size_t, int (*)(const void *, const void *));
 CRT void exit(int);
 CRT double strtod(const char *, char **);
 CRT long strtol(const char *, char **, int);
