@@ -996,7 +996,7 @@ static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
 #if defined(MS_GPR__KERNELS_END) && !defined(MS_GPR__PASS)
 #undef MS_GPR__KERNELS_END
 
-/* AVX-512 brought 4 to 8% over AVX2 here, too little for its text: the best level is AVX2. */
+/* The best level is AVX2. */
 static ms_simd ms_gpr__simd_pick(ms_simd cap)
 {
     ms_simd level = ms__simd_pick(MS_GPR__VECTORS ? cap : MS_SIMD_SCALAR);
@@ -1205,6 +1205,21 @@ static int ms_gpr__at_bound(const ms_gpr__search *s, int i, double x, double slo
     return (s->low && x <= s->low[i] && slope > 0) || (s->high && x >= s->high[i] && slope < 0);
 }
 
+static double ms_gpr__product(const double *a, const double *b, size_t count)
+{
+    double sum = 0;
+    size_t i;
+    for (i = 0; i < count; ++i) sum += a[i] * b[i];
+    return sum;
+}
+
+/* to += scale from */
+static void ms_gpr__add(double *to, double scale, const double *from, size_t count)
+{
+    size_t i;
+    for (i = 0; i < count; ++i) to[i] += scale * from[i];
+}
+
 /* Projected L-BFGS (Nocedal & Wright 2006, algorithm 7.4) with a backtracking line search along the projected path.
    q: start in, best out. work: ms_gpr__minimize_doubles(count). Never leaves q worse than it was. */
 static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, double *work)
@@ -1227,33 +1242,27 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
     }
     while (best.evaluations < s->evaluations) {
         double slope = 0, largest = 0, step = 1, value = 0, decrease = 0, steepest = 0;
+        double *move, *change, length, gain, curvature;
         for (i = 0; i < s->count; ++i) {
             direction[i] = ms_gpr__at_bound(s, i, q[i], gradient[i]) ? 0 : -gradient[i];
             if (fabs(direction[i]) > steepest) steepest = fabs(direction[i]);
         }
         if (!(steepest > 0)) break;
+        length = 0.5 / fmax(steepest, 0.5);
         for (k = 0; k < stored; ++k) { /* two-loop recursion, on the free variables */
-            int at = (newest - k + MS_GPR__MEMORY) % MS_GPR__MEMORY;
-            const double *move = moves + (size_t)at * n, *change = changes + (size_t)at * n;
-            for (i = 0, a[at] = 0; i < s->count; ++i) a[at] += move[i] * direction[i];
-            a[at] *= rho[at];
-            for (i = 0; i < s->count; ++i) direction[i] -= a[at] * change[i];
+            const size_t at = (size_t)((newest - k + MS_GPR__MEMORY) % MS_GPR__MEMORY);
+            a[at] = rho[at] * ms_gpr__product(moves + at * n, direction, n);
+            ms_gpr__add(direction, -a[at], changes + at * n, n);
         }
         if (stored) {
-            const double *move = moves + (size_t)newest * n, *change = changes + (size_t)newest * n;
-            double my = 0, yy = 0;
-            for (i = 0; i < s->count; ++i) my += move[i] * change[i], yy += change[i] * change[i];
-            for (i = 0; i < s->count; ++i) direction[i] *= my / yy;
-        } else {
-            for (i = 0; i < s->count; ++i) direction[i] *= 0.5 / (steepest > 0.5 ? steepest : 0.5);
+            const double *change = changes + (size_t)newest * n;
+            length = 1 / (rho[newest] * ms_gpr__product(change, change, n));
         }
+        for (k = 0; k < s->count; ++k) direction[k] *= length;
         for (k = stored - 1; k >= 0; --k) {
-            int at = (newest - k + MS_GPR__MEMORY) % MS_GPR__MEMORY;
-            const double *move = moves + (size_t)at * n, *change = changes + (size_t)at * n;
-            double b = 0;
-            for (i = 0; i < s->count; ++i) b += change[i] * direction[i];
-            b = a[at] - b * rho[at];
-            for (i = 0; i < s->count; ++i) direction[i] += b * move[i];
+            const size_t at = (size_t)((newest - k + MS_GPR__MEMORY) % MS_GPR__MEMORY);
+            const double b = rho[at] * ms_gpr__product(changes + at * n, direction, n);
+            ms_gpr__add(direction, a[at] - b, moves + at * n, n);
         }
         for (i = 0; i < s->count; ++i) {
             if (ms_gpr__at_bound(s, i, q[i], gradient[i])) direction[i] = 0;
@@ -1295,29 +1304,25 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
             stored = 0;
             continue;
         }
-        {
-            int at = (newest + 1) % MS_GPR__MEMORY;
-            double *move = moves + (size_t)at * n, *change = changes + (size_t)at * n, curvature = 0, yy = 0,
-                   gain = best.value - value;
-            for (i = 0, steepest = 0; i < s->count; ++i) {
-                move[i] = trial[i] - q[i];
-                change[i] = trial_gradient[i] - gradient[i];
-                curvature += move[i] * change[i];
-                yy += change[i] * change[i];
-                q[i] = trial[i];
-                gradient[i] = trial_gradient[i];
-                if (!ms_gpr__at_bound(s, i, q[i], gradient[i]) && fabs(gradient[i]) > steepest)
-                    steepest = fabs(gradient[i]);
-            }
-            best.value = value;
-            if (curvature > 1e-10 * yy) {
-                rho[at] = 1 / curvature;
-                newest = at;
-                if (stored < MS_GPR__MEMORY) ++stored;
-            }
-            if (gain < s->tolerance && steepest * steepest < s->tolerance) break;
-            if (gain < 1e-3 * s->tolerance) break;
+        move = moves + (size_t)((newest + 1) % MS_GPR__MEMORY) * n;
+        change = changes + (size_t)((newest + 1) % MS_GPR__MEMORY) * n;
+        for (i = 0, steepest = 0; i < s->count; ++i) {
+            move[i] = trial[i] - q[i];
+            change[i] = trial_gradient[i] - gradient[i];
+            q[i] = trial[i];
+            gradient[i] = trial_gradient[i];
+            if (!ms_gpr__at_bound(s, i, q[i], gradient[i])) steepest = fmax(steepest, fabs(gradient[i]));
         }
+        gain = best.value - value;
+        best.value = value;
+        curvature = ms_gpr__product(move, change, n);
+        if (curvature > 1e-10 * ms_gpr__product(change, change, n)) {
+            newest = (newest + 1) % MS_GPR__MEMORY;
+            rho[newest] = 1 / curvature;
+            if (stored < MS_GPR__MEMORY) ++stored;
+        }
+        if (gain < s->tolerance && steepest * steepest < s->tolerance) break;
+        if (gain < 1e-3 * s->tolerance) break;
     }
     return best;
 }
@@ -1541,22 +1546,10 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
     const ms_gpr__kernels *f = p->kernels;
     int padded = ms_gpr__padded(p->n), step, halving, i;
     size_t row = (size_t)padded * sizeof(double);
-    double ridge = MS_GPR__RIDGE / sf2, determinant = 0, value, better;
+    double ridge = MS_GPR__RIDGE / sf2, determinant = 0, value, better = 0;
     double *z = p->list, *l1 = z + p->stride, *turn = l1 + p->stride, *move = turn + p->stride;
-    /* the better start: the alpha that is there, or nothing known */
     ms_gpr__times_kernel(p, p->alpha, p->latent);
     value = ms_gpr__log_posterior(p, ridge, noise);
-    memcpy(turn, p->alpha, row);
-    memset(p->alpha, 0, row);
-    memcpy(move, p->latent, row);
-    memset(p->latent, 0, row);
-    better = ms_gpr__log_posterior(p, ridge, noise);
-    if (!ms__finite(value) || better > value) {
-        value = better;
-    } else {
-        memcpy(p->alpha, turn, row);
-        memcpy(p->latent, move, row);
-    }
     for (step = 0; step < 100; ++step) {
         double slope = 0;
         /* Newton's step: to alpha = (K + W^-1)^-1 (f + W^-1 l'), f = K alpha */
@@ -1958,11 +1951,12 @@ static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
     if (status != MS_OK) return status;
     for (gp->jitter = 0; gp->jitter < 2e-6; gp->jitter = ms_gpr__next_jitter(gp->jitter)) {
         double noise = ms_gpr__sn2(gp) + gp->jitter * sf2;
-        memcpy(p.alpha, gp->alpha, row);
+        memset(p.alpha, 0, row);
         found = ms_gpr__evaluate(&p, sf2, noise, &gp->likelihood, NULL);
         if (found && p.choices > 0) found = ms_gpr__laplace_mean(&p, sf2, noise);
         if (found) break;
     }
+    memset(gp->alpha, 0, gp->stride * sizeof *gp->alpha);
     if (found) memcpy(gp->alpha, p.alpha, row);
     for (i = 0; i < ms_gpr__padded(gp->n); ++i) {
         memcpy(gp->upper + (size_t)i * gp->stride, p.upper + (size_t)i * p.stride, row);
@@ -2070,9 +2064,7 @@ static ms_status ms_gpr__check_theta(const double *theta, int m, ms_error *error
 
 /* --- create, update --- */
 
-/* A model of these parts. alpha [known]: where Newton's method starts; the rest from 0. */
-static ms_status ms_gpr__make(const ms_gpr_view *parts, const ms_gpr_options *o, const double *alpha, int known,
-                              ms_gpr **out, ms_error *error)
+static ms_status ms_gpr__make(const ms_gpr_view *parts, const ms_gpr_options *o, ms_gpr **out, ms_error *error)
 {
     ms__arena arena = {NULL, 0};
     ms_gpr *gp = (ms_gpr *)ms__alloc(&o->allocator, sizeof *gp);
@@ -2108,8 +2100,6 @@ static ms_status ms_gpr__make(const ms_gpr_view *parts, const ms_gpr_options *o,
     }
     for (k = 0; k < m + 2; ++k) /* the default: lengths sqrt(m), sf 1, sn 0.1 */
         gp->theta[k] = parts->theta ? parts->theta[k] : k < m ? 0.5 * log((double)m) : k == m ? 0 : -2.302585092994046;
-    memset(gp->alpha, 0, gp->stride * sizeof *gp->alpha);
-    if (known > 0) memcpy(gp->alpha, alpha, (size_t)known * sizeof *gp->alpha);
     status = ms_gpr__condition(gp, error);
     if (status == MS_OK) *out = gp;
     else ms_gpr_destroy(gp);
@@ -2138,7 +2128,7 @@ MS_API ms_status ms_gpr_create(const ms_gpr_view *parts, const ms_gpr_options *o
     memset(&o, 0, sizeof o);
     if (options) o = *options;
     status = ms_gpr__check_parts(parts, &o.allocator, error);
-    return status == MS_OK ? ms_gpr__make(parts, &o, NULL, 0, out, error) : status;
+    return status == MS_OK ? ms_gpr__make(parts, &o, out, error) : status;
 }
 
 MS_API ms_status ms_gpr_update(ms_gpr *gp, const ms_gpr_view *parts, ms_error *error)
@@ -2154,7 +2144,7 @@ MS_API ms_status ms_gpr_update(ms_gpr *gp, const ms_gpr_view *parts, ms_error *e
     o.allocator = gp->allocator;
     o.parallel = gp->parallel;
     status = ms_gpr__check_parts(parts, &o.allocator, error);
-    if (status == MS_OK) status = ms_gpr__make(parts, &o, gp->alpha, gp->n < parts->n ? gp->n : parts->n, &made, error);
+    if (status == MS_OK) status = ms_gpr__make(parts, &o, &made, error);
     if (status != MS_OK) return status;
     old = *gp;
     *gp = *made;
@@ -2794,8 +2784,7 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
         o.simd = fit.o.simd;
         o.allocator = fit.o.allocator;
         o.parallel = fit.o.parallel;
-        for (i = 0; fit.soft && i < n; ++i) fit.problem.alpha[i] /= fit.unit;
-        status = ms_gpr__make(&parts, &o, fit.problem.alpha, fit.soft ? n : 0, out, error);
+        status = ms_gpr__make(&parts, &o, out, error);
     }
     if (status == MS_OK && report) {
         ms_gpr__fit_criticize(&fit, *out);
@@ -2970,25 +2959,13 @@ static void ms_gpr__source_layout(ms_gpr__source *s, ms__arena *arena)
     s->point = ms_gpr__take(arena, (size_t)s->gp->m, 1);
 }
 
-/* How likely each material is to be a parent of variants: its score above the floor, shared with those liked ones that
-   the model takes for near, so that small classes have children too. */
+/* How likely each material is to be a parent of variants: in proportion to its score above the floor. */
 static void ms_gpr__source_breed(ms_gpr__source *s)
 {
-    const ms_gpr *gp = s->gp;
-    int i, j, k;
+    int i;
     s->parents_sum = 0;
-    for (i = 0; i < gp->n; ++i) {
-        double crowd = 0;
-        for (j = 0; j < gp->n && gp->value[i] > s->floor; ++j) {
-            double d2 = 0;
-            if (!(gp->value[j] > s->floor)) continue;
-            for (k = 0; k < gp->active; ++k) {
-                const double *row = gp->points + (size_t)k * gp->stride;
-                d2 += (row[i] - row[j]) * (row[i] - row[j]);
-            }
-            crowd += exp(-0.5 * d2);
-        }
-        s->parents[i] = gp->value[i] > s->floor ? (gp->value[i] - s->floor) / crowd : 0;
+    for (i = 0; i < s->gp->n; ++i) {
+        s->parents[i] = fmax(s->gp->value[i] - s->floor, 0);
         s->parents_sum += s->parents[i];
     }
 }
@@ -4002,7 +3979,7 @@ static ms_status ms_gpr__latent_make(const double *x, int z, int m, const ms_gpr
         p->weight = p->x + (size_t)m * stride;
         memset(p->center, 0, (size_t)m * (1 + 2 * stride) * sizeof *p->center);
         parts.x = parts.y = p->x; /* nothing but zeros yet */
-        status = ms_gpr__make(&parts, &options, NULL, 0, &p->gp, error);
+        status = ms_gpr__make(&parts, &options, &p->gp, error);
         for (k = 0; k < m; ++k) {
             const double *column = x + k;
             for (i = 0; i < z; ++i) p->center[k] += column[(size_t)i * (size_t)m] / z;
