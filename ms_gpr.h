@@ -348,17 +348,14 @@ typedef enum ms_gpr_search {
 
 /* All zero: the defaults. */
 typedef struct ms_gpr_recommend_options {
-    double tau;       /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. floor: as in ms_gpr_view */
-    double best;      /* the score that tau = 1 means. 0: the largest given. At most the largest mean in the box */
-    double diversity; /* 0: in proportion to the volume of what is liked. Up to 1: every recommendation is the farthest
-                         from those before it of 1 + 15 diversity, which takes time in count^2 */
+    double tau;  /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. floor: as in ms_gpr_view */
+    double best; /* the score that tau = 1 means. 0: the largest given. At most the largest mean in the box */
     ms_gpr_space space;
     const double *avoid; /* [avoid_count][m] "not like these": nothing nearer than avoid_distance to any of them */
     int avoid_count;
     double avoid_distance; /* root mean square over the dimensions, in widths of the box; uniform pairs are 0.4 apart.
                               0: 0.15 */
-    int skip;              /* leaves out the first `skip` of the sequence that seed stands for */
-    uint64_t seed;
+    uint64_t seed;         /* stands for a sequence: larger counts go on with it */
     ms_gpr_search search;
     ms_progress progress; /* asked once every 64 recommendations */
 } ms_gpr_recommend_options;
@@ -371,7 +368,6 @@ typedef struct ms_gpr_recommend_report {
     double best;          /* largest mean that was found over the box */
     double acceptance;    /* share of 4096 uniform candidates whose mean reaches the threshold */
     double candidates;    /* whose means were predicted, but for those along chains */
-    double spread;        /* mean distance of the first 200 to the nearest of them, measured as avoid_distance */
 } ms_gpr_recommend_report;
 
 /* Materials whose predicted score reaches a threshold. Where nothing is predicted to, or the predictions are uncertain
@@ -1255,7 +1251,7 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
             ms_gpr__add(direction, -a[at], changes + at * n, n);
         }
         if (stored) {
-            const double *change = changes + (size_t)newest * n;
+            change = changes + (size_t)newest * n;
             length = 1 / (rho[newest] * ms_gpr__product(change, change, n));
         }
         for (k = 0; k < s->count; ++k) direction[k] *= length;
@@ -2959,13 +2955,25 @@ static void ms_gpr__source_layout(ms_gpr__source *s, ms__arena *arena)
     s->point = ms_gpr__take(arena, (size_t)s->gp->m, 1);
 }
 
-/* How likely each material is to be a parent of variants: in proportion to its score above the floor. */
+/* How likely each material is to be a parent of variants: its score above the floor, shared with those liked ones that
+   the model takes for near, so that small classes have children too. */
 static void ms_gpr__source_breed(ms_gpr__source *s)
 {
-    int i;
+    const ms_gpr *gp = s->gp;
+    int i, j, k;
     s->parents_sum = 0;
-    for (i = 0; i < s->gp->n; ++i) {
-        s->parents[i] = fmax(s->gp->value[i] - s->floor, 0);
+    for (i = 0; i < gp->n; ++i) {
+        double crowd = 0;
+        for (j = 0; j < gp->n && gp->value[i] > s->floor; ++j) {
+            double d2 = 0;
+            if (!(gp->value[j] > s->floor)) continue;
+            for (k = 0; k < gp->active; ++k) {
+                const double *row = gp->points + (size_t)k * gp->stride;
+                d2 += (row[i] - row[j]) * (row[i] - row[j]);
+            }
+            crowd += exp(-0.5 * d2);
+        }
+        s->parents[i] = gp->value[i] > s->floor ? (gp->value[i] - s->floor) / crowd : 0;
         s->parents_sum += s->parents[i];
     }
 }
@@ -3024,8 +3032,7 @@ enum {
     MS_GPR__SEEDS = 1024,    /* places where chains start, at most */
     MS_GPR__SEEDS_FEW = 16,  /* uniform ones, below which answered materials and the best one are starts as well */
     MS_GPR__CLIMB = 5,       /* steps along every axis of the climb to the largest mean */
-    MS_GPR__BEST_OF = 10,    /* variants of which the one with the largest mean is taken */
-    MS_GPR__RIVALS = 16      /* candidates of which one is taken, at the largest diversity */
+    MS_GPR__BEST_OF = 10     /* variants of which the one with the largest mean is taken */
 };
 static const double MS_GPR__INFORMATIVE = 0.3; /* length scales in the box's width from which on a column matters */
 static const double MS_GPR__REACH = 3.0;       /* length scales that a slice is long, at most */
@@ -3036,10 +3043,8 @@ static const double MS_GPR__DOUBT = 0.1;
 
 /* The recommendations so far, all different. */
 typedef struct ms_gpr__found {
-    int count, taken; /* wanted, with those to be skipped; found */
-    double *x;        /* [count][m] */
-    double *rivals;   /* [RIVALS][m] candidates for the next one, of which the farthest is taken */
-    int rival_count;
+    int count, taken;     /* wanted; found */
+    double *x;            /* [count][m] */
     int all_new;          /* no two candidates are equal: something is continuous, and there is no snap */
     int refused, avoided; /* candidates in a row that were equal to one of x, or to be avoided; the latter alone */
 } ms_gpr__found;
@@ -3103,32 +3108,22 @@ static int ms_gpr__found_before(const ms_gpr__found *f, const double *x, size_t 
     return 0;
 }
 
-/* How many candidates each recommendation is the farthest of. */
-static int ms_gpr__rivals(double diversity) { return 1 + (int)((MS_GPR__RIVALS - 1) * diversity + 0.5); }
-
-/* The next candidate of the sequence. Of as many as are rivals, the one farthest from those before is taken. */
+/* The next candidate of the sequence. */
 static void ms_gpr__sampler_accept(ms_gpr__sampler *h, const double *x)
 {
-    const ms_gpr__box *box = &h->source.box;
     ms_gpr__found *f = &h->found;
-    size_t m = (size_t)box->m, row = m * sizeof *x;
-    double farthest = -1, near2 = h->o.avoid_distance * h->o.avoid_distance;
-    int size = ms_gpr__rivals(h->o.diversity), i, best = 0;
-    int avoid = h->o.avoid_count > 0 && ms_gpr__nearest2(box, h->o.avoid, h->o.avoid_count, x) < near2;
+    const size_t m = (size_t)h->source.gp->m;
+    const double near2 = h->o.avoid_distance * h->o.avoid_distance;
+    const int avoid = h->o.avoid_count > 0 &&
+        ms_gpr__nearest2(&h->source.box, h->o.avoid, h->o.avoid_count, x) < near2;
     if (f->taken == f->count) return;
     if (avoid || ms_gpr__found_before(f, x, m)) {
         ++f->refused;
         f->avoided += avoid;
         return;
     }
-    memcpy(f->rivals + (size_t)f->rival_count++ * m, x, row);
-    if (f->rival_count < size) return;
-    for (i = 0; i < size && size > 1; ++i) {
-        double d2 = ms_gpr__nearest2(box, f->x, f->taken, f->rivals + (size_t)i * m);
-        if (d2 > farthest) best = i, farthest = d2;
-    }
-    f->rival_count = f->refused = f->avoided = 0;
-    memcpy(f->x + (size_t)f->taken++ * m, f->rivals + (size_t)best * m, row);
+    f->refused = f->avoided = 0;
+    memcpy(f->x + (size_t)f->taken++ * m, x, m * sizeof *x);
 }
 
 /* Between rounds: MS_CANCELLED, or MS_NOT_CONVERGED where candidates are refused all the time. */
@@ -3366,12 +3361,11 @@ static ms_status ms_gpr__sampler_spread(ms_gpr__sampler *h, double *doubt, ms_er
 static ms_status ms_gpr__sampler_chains(ms_gpr__sampler *h, ms_error *error)
 {
     const size_t m = (size_t)h->source.gp->m;
-    const double wanted = (double)h->found.count * ms_gpr__rivals(h->o.diversity);
     ms_status status = MS_OK;
     double doubt;
     int i;
     for (; status == MS_OK && h->found.taken < h->found.count; h->first += MS_GPR__WAVE) {
-        if (h->seeds == 0 || (double)h->first / 40 > wanted + (int)MS_GPR__WAVE) return MS_NOT_CONVERGED;
+        if (h->seeds == 0 || (double)h->first / 40 > (double)h->found.count + (int)MS_GPR__WAVE) return MS_NOT_CONVERGED;
         ms__run(&h->source.gp->parallel, MS_GPR__TASKS, ms_gpr__chain_run, h);
         if (h->first == 0 && h->o.search == MS_GPR_SEARCH_AUTO) {
             status = ms_gpr__sampler_spread(h, &doubt, error);
@@ -3412,21 +3406,6 @@ static ms_status ms_gpr__sampler_variants(ms_gpr__sampler *h, ms_error *error)
     return status;
 }
 
-/* Mean distance of the first 200 to the nearest other one of them. */
-static double ms_gpr__spread(const ms_gpr__box *box, const double *x, int count)
-{
-    size_t m = (size_t)box->m;
-    double sum = 0;
-    int i;
-    if (count > 200) count = 200;
-    for (i = 0; i < count; ++i) {
-        double before = ms_gpr__nearest2(box, x, i, x + (size_t)i * m);
-        double after = ms_gpr__nearest2(box, x + (size_t)(i + 1) * m, count - i - 1, x + (size_t)i * m);
-        sum += sqrt(fmin(before, after));
-    }
-    return count > 1 ? sum / count : 0;
-}
-
 static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms__arena *arena)
 {
     const ms_gpr *gp = h->source.gp;
@@ -3440,8 +3419,6 @@ static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms__arena *arena)
     h->reach = ms_gpr__take(arena, m, 1);
     h->axis = (int *)ms__take(arena, m, sizeof(int));
     h->flat = (int *)ms__take(arena, m, sizeof(int));
-    h->found.rivals = ms_gpr__take(arena, MS_GPR__RIVALS, m);
-    if (h->o.skip > 0) h->found.x = ms_gpr__take(arena, (size_t)h->found.count, m);
     for (i = 0; i < MS_GPR__TASKS; ++i) {
         ms_gpr__chain *c = &h->chain[i];
         c->point = ms_gpr__take(arena, m, 1);
@@ -3482,10 +3459,8 @@ static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *optio
     if (options != NULL) *o = *options;
     else memset(o, 0, sizeof *o);
     status = ms_gpr__check_range("tau", o->tau, 0, 1, error);
-    if (status == MS_OK) status = ms_gpr__check_range("diversity", o->diversity, 0, 1, error);
     if (status == MS_OK) status = ms_gpr__check_range("avoid_distance", o->avoid_distance, 0, MS_GPR__LARGEST, error);
     if (status == MS_OK) status = ms_gpr__check_range("best", o->best, -MS_GPR__LARGEST, MS_GPR__LARGEST, error);
-    if (status == MS_OK) status = ms_gpr__check_range("skip", o->skip, 0, MS_GPR__INT_MAX, error);
     if (status == MS_OK) status = ms_gpr__check_range("avoid_count", o->avoid_count, 0, MS_GPR__INT_MAX, error);
     if (status == MS_OK) status = ms_gpr__check_range("search", (int)o->search, 0, (int)MS_GPR_SEARCH_VARIANTS, error);
     if (status == MS_OK && o->avoid_count > 0 && o->avoid == NULL) status = ms_gpr__null("avoid", error);
@@ -3519,18 +3494,14 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     ms_gpr__sampler sampler, *h = &sampler;
     ms__arena arena = {NULL, 0};
     ms_status status;
-    size_t m;
     int i;
     if (gp == NULL || x == NULL) return ms_gpr__null(gp ? "x" : "gp", error);
-    if (count < 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected at least 1", count);
+    status = ms_gpr__check_range("count", count, 1, 0x7fffffff / 16, error);
+    if (status != MS_OK) return status;
     memset(h, 0, sizeof *h);
     status = ms_gpr__recommend_options(options, gp->m, &h->o, error);
     if (status != MS_OK) return status;
-    if (h->o.skip > 0x7fffffff / 16 - count || count > 0x7fffffff / 16)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d and skip %d: expected at most %d together", count,
-                        h->o.skip, 0x7fffffff / 16);
-    m = (size_t)gp->m;
-    h->found.count = count + h->o.skip;
+    h->found.count = count;
     h->found.x = x;
     status = ms_gpr__source_make(&h->source, gp, &h->o.space, error);
     if (status != MS_OK) return status;
@@ -3543,13 +3514,11 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     ms_gpr__sampler_axes(h);
     for (i = 0; i < gp->m && h->source.box.snap == NULL; ++i) h->found.all_new |= h->source.box.width[i] > 0;
     status = ms_gpr__sampler_run(h, error);
-    h->report.found = h->found.taken > h->o.skip ? h->found.taken - h->o.skip : 0;
-    if (h->found.x != x) memcpy(x, h->found.x + (size_t)h->o.skip * m, (size_t)h->report.found * m * sizeof *x);
+    h->report.found = h->found.taken;
     if (h->report.found > 0) {
         double *means = mean == NULL && h->report.found <= MS_GPR__PILOT ? h->mean : mean;
         ms_status predicted = ms_gpr_predict(gp, x, h->report.found, means, sigma, error);
         if (predicted != MS_OK) status = predicted;
-        h->report.spread = ms_gpr__spread(&h->source.box, x, h->report.found);
         for (i = 0; predicted == MS_OK && i < h->report.found; ++i) {
             if (sigma) sigma[i] = sqrt(sigma[i]);
             if (h->report.search == MS_GPR_SEARCH_VARIANTS && means)
