@@ -3034,7 +3034,6 @@ enum {
     MS_GPR__CLIMB = 5,       /* steps along every axis of the climb to the largest mean */
     MS_GPR__BEST_OF = 10     /* variants of which the one with the largest mean is taken */
 };
-static const double MS_GPR__INFORMATIVE = 0.3; /* length scales in the box's width from which on a column matters */
 static const double MS_GPR__REACH = 3.0;       /* length scales that a slice is long, at most */
 static const int MS_GPR__REFUSED = 20000;      /* candidates in a row that were known or to be avoided, at most */
 /* Mean sigma of recommendations over (best - floor) from which on variants are recommended in their place. Below it,
@@ -3074,10 +3073,9 @@ typedef struct ms_gpr__sampler {
     ms_gpr__ranked *ranked; /* [WAVE BEST_OF] */
     double *seed;           /* [SEEDS][m] where chains start, in the unit box */
     int seeds;
-    int *axis, axes;  /* [m] columns that slices go along */
-    int *flat, flats; /* [m] columns that the mean hardly depends on */
-    double *reach;    /* [m] a length scale, at most 0.3; 0: not an axis */
-    uint64_t first;   /* number of the wave's first chain */
+    int *axis, axes; /* [m] columns that slices go along */
+    double *reach;   /* [m] a length scale, at most 0.3; 0: not an axis */
+    uint64_t first;  /* number of the wave's first chain */
     int moved[MS_GPR__WAVE]; /* of its chains */
     ms_gpr__chain chain[MS_GPR__TASKS];
     ms_gpr_recommend_report report;
@@ -3237,25 +3235,13 @@ static void ms_gpr__chain_slice(const ms_gpr__sampler *h, ms_gpr__chain *c, doub
     }
 }
 
-/* What the mean hardly depends on moves all at once: to a uniform point of the box, or where the mean there does not
-   reach the threshold, by a slice across. */
-static void ms_gpr__chain_flat(const ms_gpr__sampler *h, ms_gpr__chain *c)
-{
-    int i;
-    memset(c->direction, 0, (size_t)h->source.gp->m * sizeof *c->direction);
-    for (i = 0; i < h->flats; ++i) c->direction[h->flat[i]] = ms_gpr__uniform(&c->random) - c->point[h->flat[i]];
-    ms_gpr__chain_face(h, c);
-    if (h->flats == 0 || ms_gpr__chain_try(h, c, 1)) return;
-    for (i = 0; i < h->flats; ++i) c->direction[h->flat[i]] = 2 * ms_gpr__uniform(&c->random) - 1;
-    ms_gpr__chain_slice(h, c, 1);
-}
-
-/* A slice along axis number `axis`, and one across all. */
+/* A slice along axis number `axis`; with every fourth one across all. */
 static void ms_gpr__chain_step(const ms_gpr__sampler *h, ms_gpr__chain *c, int axis)
 {
     int m = h->source.gp->m, k;
     for (k = 0; k < m; ++k) c->direction[k] = k == h->axis[axis] ? h->reach[k] : 0;
     ms_gpr__chain_slice(h, c, MS_GPR__REACH);
+    if (axis % 4 != 0) return;
     for (k = 0; k < m; ++k) c->direction[k] = h->reach[k] * (2 * ms_gpr__uniform(&c->random) - 1);
     ms_gpr__chain_slice(h, c, MS_GPR__REACH);
 }
@@ -3269,11 +3255,7 @@ static void ms_gpr__chain_run(void *context, int task)
     int i, j;
     for (i = task; i < MS_GPR__WAVE; i += MS_GPR__TASKS) {
         ms_gpr__chain_start(h, c, h->first + (uint64_t)i);
-        for (j = 0; j < h->axes; ++j) {
-            ms_gpr__chain_step(h, c, j);
-            if (j % 4 == 0) ms_gpr__chain_flat(h, c);
-        }
-        ms_gpr__chain_flat(h, c);
+        for (j = 0; j < h->axes; ++j) ms_gpr__chain_step(h, c, j);
         h->moved[i] = c->moved;
         ms_gpr__box_material(&h->source.box, c->point, h->candidate + (size_t)i * (size_t)h->source.gp->m);
     }
@@ -3289,10 +3271,7 @@ static void ms_gpr__chain_climb(ms_gpr__sampler *h, double *x)
     ms_gpr__chain_start(h, c, 0);
     c->climbs = 1;
     c->level = -HUGE_VAL;
-    for (j = 0; j < MS_GPR__CLIMB * (h->axes + 1); ++j) {
-        if (h->axes > 0) ms_gpr__chain_step(h, c, j % h->axes);
-        if (j % 4 == 0) ms_gpr__chain_flat(h, c);
-    }
+    for (j = 0; j < MS_GPR__CLIMB * h->axes; ++j) ms_gpr__chain_step(h, c, j % h->axes);
     ms_gpr__box_material(&h->source.box, c->point, x);
     h->seeds = 0;
 }
@@ -3418,7 +3397,6 @@ static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms__arena *arena)
     h->seed = ms_gpr__take(arena, MS_GPR__SEEDS, m);
     h->reach = ms_gpr__take(arena, m, 1);
     h->axis = (int *)ms__take(arena, m, sizeof(int));
-    h->flat = (int *)ms__take(arena, m, sizeof(int));
     for (i = 0; i < MS_GPR__TASKS; ++i) {
         ms_gpr__chain *c = &h->chain[i];
         c->point = ms_gpr__take(arena, m, 1);
@@ -3433,7 +3411,7 @@ static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms__arena *arena)
     }
 }
 
-/* Which columns the mean depends on: those of which the box has MS_GPR__INFORMATIVE lengths or more. */
+/* What chains move along: every column with a width; one that is left out only where a snap may tie it to others. */
 static void ms_gpr__sampler_axes(ms_gpr__sampler *h)
 {
     const ms_gpr *gp = h->source.gp;
@@ -3443,12 +3421,8 @@ static void ms_gpr__sampler_axes(ms_gpr__sampler *h)
         const double width = h->source.box.width[k];
         const int dropped = !(gp->theta[k] < MS_GPR__DROPPED);
         if (!(width > 0) || (dropped && h->source.box.snap == NULL)) continue;
-        if (dropped || width * gp->scale[k] < MS_GPR__INFORMATIVE) {
-            h->flat[h->flats++] = k;
-        } else {
-            h->axis[h->axes++] = k;
-            h->reach[k] = fmin(1 / (width * gp->scale[k]), 0.3);
-        }
+        h->axis[h->axes++] = k;
+        h->reach[k] = fmin(1 / (width * gp->scale[k]), 0.3);
     }
 }
 
