@@ -727,9 +727,7 @@ static double ms_gpr__pow2(double whole)
 }
 
 #ifndef MS_GPR_FILENAME
-#define MS_GPR_FILENAME \
-    "ms_gpr.h" /* the header includes its kernels, once a level; define it if the file is renamed \
-                */
+#define MS_GPR_FILENAME "ms_gpr.h" /* it includes its own kernels, once a level */
 #endif
 
 #define MS_GPR__PASS 1
@@ -856,16 +854,13 @@ static inline double MS_GPR__KERNEL(sum)(MS_GPR__V v)
 static double MS_GPR__KERNEL(line_mean)(const double *d2, const double *slope, double t, double constant,
                                         const double *weight, int n)
 {
-    MS_GPR__V ahead = MS_GPR__SET(t), rest = MS_GPR__SET(constant), sum0 = MS_GPR__SET(0.0), sum1 = sum0, x;
+    MS_GPR__V ahead = MS_GPR__SET(t), rest = MS_GPR__SET(constant), sum = MS_GPR__SET(0.0);
     int i;
-    for (i = 0; i < n; i += MS_GPR__WIDE) {
-        int next = i + MS_GPR__LANES;
-        x = MS_GPR__MADD(ahead, MS_GPR__LOAD(slope + i), MS_GPR__LOAD(d2 + i) + rest);
-        sum0 = MS_GPR__MADD(MS_GPR__LOAD(weight + i), MS_GPR__KERNEL(exponential)(x), sum0);
-        x = MS_GPR__MADD(ahead, MS_GPR__LOAD(slope + next), MS_GPR__LOAD(d2 + next) + rest);
-        sum1 = MS_GPR__MADD(MS_GPR__LOAD(weight + next), MS_GPR__KERNEL(exponential)(x), sum1);
+    for (i = 0; i < n; i += MS_GPR__LANES) {
+        MS_GPR__V x = MS_GPR__MADD(ahead, MS_GPR__LOAD(slope + i), MS_GPR__LOAD(d2 + i) + rest);
+        sum = MS_GPR__MADD(MS_GPR__LOAD(weight + i), MS_GPR__KERNEL(exponential)(x), sum);
     }
-    return MS_GPR__KERNEL(sum)(sum0 + sum1);
+    return MS_GPR__KERNEL(sum)(sum);
 }
 
 static void MS_GPR__KERNEL(distances)(double *d2, const double *points, size_t stride, const double *point,
@@ -1290,7 +1285,7 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
             }
             if (defined && ms__finite(value)) { /* the minimum of the parabola through both values and the slope */
                 double shrink = -0.5 * decrease / (value - best.value - decrease);
-                step *= shrink < 0.1 ? 0.1 : shrink > 0.5 ? 0.5 : shrink;
+                step *= fmin(fmax(shrink, 0.1), 0.5);
             } else {
                 step *= 0.25;
             }
@@ -1404,9 +1399,6 @@ static int ms_gpr__factor(const ms_gpr__kernels *f, const double *kernel, size_t
     }
     return ms_gpr__cholesky(f, upper, stride, padded, n * 2.220446049250313e-16 * (sf2 + noise));
 }
-
-/* The next part of sf^2 to add to the diagonal of a matrix that has no factor, up to 1e-6. */
-static double ms_gpr__next_jitter(double jitter) { return jitter > 0 ? 10 * jitter : 1e-15; }
 
 static double ms_gpr__log_determinant(const double *upper, size_t stride, int n)
 {
@@ -1577,28 +1569,16 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
     return 1;
 }
 
-/* covariance = C = K - K (K + W^-1)^-1 K, that of the latent values, whole; solved = U'^-1 K. */
-static void ms_gpr__laplace_covariance(ms_gpr__problem *p, double *covariance)
-{
-    const int padded = ms_gpr__padded(p->n);
-    const size_t matrix = (size_t)padded * p->stride * sizeof *covariance;
-    memcpy(p->solved, p->kernel, matrix);
-    memcpy(covariance, p->kernel, matrix);
-    ms_gpr__forward(p->kernels, p->upper, p->stride, padded, p->solved, p->stride, padded);
-    p->kernels->reduce(covariance, p->stride, p->solved, p->stride, p->solved, p->stride, padded, padded, padded, 0);
-}
-
-/* s = -1/2 d log |I + K W| / df = 1/2 sum over j, k of C_jk d^3 log p / df df_j df_k, at the latent values; C from
-   ms_gpr__laplace_covariance. by_s [stride], by_noise: where not NULL, the derivatives of l' and of the whole by log
-   sn. For a choice with q_j = C_jj - 2 (C p)_j: W = (diag(p) - p p') / s^2, dp_j/df_i = p_j (delta_ij - p_i) / s. */
+/* s = -1/2 d log |I + K W| / df = 1/2 sum over j, k of C_jk d^3 log p / df df_j df_k, at the latent values; C
+   [n][stride]. by_s [stride], by_noise: the derivatives of l' and of the whole by log sn. For a choice with q_j = C_jj - 2 (C p)_j: W = (diag(p) - p p') / s^2, dp_j/df_i = p_j (delta_ij - p_i) / s. */
 static void ms_gpr__laplace_third(ms_gpr__problem *p, double noise, const double *covariance, double *third,
                                   double *by_s, double *by_noise)
 {
     double s = ms_gpr__scale_of(noise), *q = p->list + 5 * p->stride;
     int c, i, j;
     memset(third, 0, p->stride * sizeof *third);
-    if (by_s) memset(by_s, 0, p->stride * sizeof *by_s);
-    for (i = 0; by_s && i < p->n; ++i) {
+    memset(by_s, 0, p->stride * sizeof *by_s);
+    for (i = 0; i < p->n; ++i) {
         double off = p->target[i] - p->latent[i];
         if (!p->scored[i]) continue;
         by_s[i] = -2 * off / noise;
@@ -1620,7 +1600,6 @@ static void ms_gpr__laplace_third(ms_gpr__problem *p, double noise, const double
             mean_latent += probability[i] * p->latent[row[i]];
         }
         for (i = 0; i < size; ++i) third[row[i]] -= 0.5 * probability[i] * (q[i] - mean_q) / (s * s * s);
-        if (by_s == NULL) continue;
         *by_noise += (mean_latent - p->latent[row[0]]) / s + (mean_variance - quadratic) / (s * s);
         for (i = 0; i < size; ++i) {
             double turn = probability[i] * (p->latent[row[i]] - mean_latent) / s; /* -dp_i/dlog s */
@@ -1638,10 +1617,15 @@ static void ms_gpr__laplace_implicit(ms_gpr__problem *p, double sf2, double nois
 {
     const ms_gpr__kernels *f = p->kernels;
     int padded = ms_gpr__padded(p->n), i;
+    const size_t matrix = (size_t)padded * p->stride * sizeof *p->solved;
     double ridge = MS_GPR__RIDGE / sf2;
     double *s = p->list, *u = s + p->stride, *h = u + p->stride, *by_s = h + p->stride;
     *by_sf = *by_sn = 0;
-    ms_gpr__laplace_covariance(p, p->inverse);
+    /* inverse = C = K - K (K + W^-1)^-1 K, the covariance of the latent values, whole; solved = U'^-1 K */
+    memcpy(p->solved, p->kernel, matrix);
+    memcpy(p->inverse, p->kernel, matrix);
+    ms_gpr__forward(f, p->upper, p->stride, padded, p->solved, p->stride, padded);
+    f->reduce(p->inverse, p->stride, p->solved, p->stride, p->solved, p->stride, padded, padded, padded, 0);
     ms_gpr__laplace_third(p, noise, p->inverse, s, by_s, by_sn);
     ms_gpr__times_kernel(p, s, u);
     ms_gpr__forward_vector(f, p->upper, p->stride, padded, u);
@@ -1896,17 +1880,15 @@ static double ms_gpr__floor_of(const ms_gpr *gp)
 static ms_status ms_gpr__problem_of(const ms_gpr *gp, ms_gpr__problem *p, void **memory, ms_error *error)
 {
     ms__arena arena = {NULL, 0};
-    int pass, i, k;
+    int i;
     memset(p, 0, sizeof *p);
-    for (pass = 0; pass < 2; ++pass) {
-        ms_gpr__problem_layout(p, gp->kernels, gp->n, gp->active, gp->soft, &gp->choices, &arena);
-        if (pass == 0 && !ms_gpr__place(&gp->allocator, &arena))
-            return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d points", gp->n);
-    }
+    ms_gpr__problem_layout(p, gp->kernels, gp->n, gp->active, gp->soft, &gp->choices, &arena);
+    if (!ms_gpr__place(&gp->allocator, &arena))
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d points", gp->n);
+    ms_gpr__problem_layout(p, gp->kernels, gp->n, gp->active, gp->soft, &gp->choices, &arena);
     *memory = arena.base;
     ms_gpr__problem_clear(p, &gp->choices);
-    for (k = 0; k < gp->active; ++k)
-        memcpy(p->points + (size_t)k * p->stride, gp->points + (size_t)k * gp->stride, (size_t)gp->n * sizeof(double));
+    memcpy(p->points, gp->points, (size_t)gp->active * gp->stride * sizeof *p->points);
     for (i = 0; i < gp->n; ++i) {
         p->target[i] = ms_gpr__target(gp, i);
         if (gp->soft) p->scored[i] = (char)ms_gpr__scored(gp->y[i]);
@@ -1945,7 +1927,7 @@ static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
     /* the posterior */
     status = ms_gpr__problem_of(gp, &p, &memory, error);
     if (status != MS_OK) return status;
-    for (gp->jitter = 0; gp->jitter < 2e-6; gp->jitter = ms_gpr__next_jitter(gp->jitter)) {
+    for (gp->jitter = 0; gp->jitter < 2e-6; gp->jitter = fmax(10 * gp->jitter, 1e-15)) {
         double noise = ms_gpr__sn2(gp) + gp->jitter * sf2;
         memset(p.alpha, 0, row);
         found = ms_gpr__evaluate(&p, sf2, noise, &gp->likelihood, NULL);
@@ -1954,8 +1936,8 @@ static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
     }
     memset(gp->alpha, 0, gp->stride * sizeof *gp->alpha);
     if (found) memcpy(gp->alpha, p.alpha, row);
+    memcpy(gp->upper, p.upper, (size_t)ms_gpr__padded(gp->n) * gp->stride * sizeof *p.upper);
     for (i = 0; i < ms_gpr__padded(gp->n); ++i) {
-        memcpy(gp->upper + (size_t)i * gp->stride, p.upper + (size_t)i * p.stride, row);
         gp->weight[i] = sf2 * gp->alpha[i];
         if (i < gp->n && !ms_gpr__scored(gp->y[i])) gp->value[i] = gp->mean + p.latent[i];
     }

@@ -167,7 +167,7 @@ static void summarize(const scores *s, const ms_gpr_recommend_report *report, in
     fprintf(stderr, ".\n");
     if (report->search == MS_GPR_SEARCH_VARIANTS) return;
     if (report->acceptance > 0) fprintf(stderr, "One uniform material in %.0f would do.\n", 1 / report->acceptance);
-    else fprintf(stderr, "None of 8192 uniform materials would do.\n");
+    else fprintf(stderr, "None of 4096 uniform materials would do.\n");
 }
 
 int main(int argc, char **argv)
