@@ -2279,8 +2279,7 @@ static ms_status ms_gpr__predict_run(ms_gpr__batch *b, ms_error *error)
     int chunks = (b->count - 1) / MS_GPR__CHUNK + 1;
     if (b->count == 0) return MS_OK;
     b->tasks = gp->parallel.run == NULL ? 1 : chunks < 16 ? chunks : 16;
-    b->task_doubles = ms__size_mul(MS_GPR__CHUNK,
-                                   (size_t)gp->active + (rows > 0 ? rows : 1));
+    b->task_doubles = ms__size_mul(MS_GPR__CHUNK, (size_t)gp->active + (rows > 0 ? rows : 1));
     b->scratch = ms_gpr__scratch(&gp->allocator, ms__size_mul((size_t)b->tasks, b->task_doubles));
     if (b->scratch == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for predictions");
     ms__run(&gp->parallel, b->tasks, ms_gpr__predict_task, b);
@@ -3008,16 +3007,16 @@ static void ms_gpr__source_fill(ms_gpr__source *s, int variants, double least, d
 /* --- recommendations --- */
 
 enum {
-    MS_GPR__PILOT = 4096,    /* uniform candidates that are looked at first */
-    MS_GPR__WAVE = 64,       /* chains that run together, or variants of a round */
-    MS_GPR__TASKS = 16,      /* that share the chains of a wave */
-    MS_GPR__SEEDS = 1024,    /* places where chains start, at most */
-    MS_GPR__SEEDS_FEW = 16,  /* uniform ones, below which answered materials and the best one are starts as well */
-    MS_GPR__CLIMB = 5,       /* steps along every axis of the climb to the largest mean */
-    MS_GPR__BEST_OF = 10     /* variants of which the one with the largest mean is taken */
+    MS_GPR__PILOT = 4096,   /* uniform candidates that are looked at first */
+    MS_GPR__WAVE = 64,      /* chains that run together, or variants of a round */
+    MS_GPR__TASKS = 16,     /* that share the chains of a wave */
+    MS_GPR__SEEDS = 1024,   /* places where chains start, at most */
+    MS_GPR__SEEDS_FEW = 16, /* uniform ones, below which answered materials and the best one are starts as well */
+    MS_GPR__CLIMB = 5,      /* steps along every axis of the climb to the largest mean */
+    MS_GPR__BEST_OF = 10    /* variants of which the one with the largest mean is taken */
 };
-static const double MS_GPR__REACH = 3.0;       /* length scales that a slice is long, at most */
-static const int MS_GPR__REFUSED = 20000;      /* candidates in a row that were known or to be avoided, at most */
+static const double MS_GPR__REACH = 3.0;  /* length scales that a slice is long, at most */
+static const int MS_GPR__REFUSED = 20000; /* candidates in a row that were known or to be avoided, at most */
 /* Mean sigma of recommendations over (best - floor) from which on variants are recommended in their place. Below it,
    true scores of 57 persons were at least what was predicted; from here on they fell short, by half at 0.16. */
 static const double MS_GPR__DOUBT = 0.1;
@@ -3055,9 +3054,9 @@ typedef struct ms_gpr__sampler {
     ms_gpr__ranked *ranked; /* [WAVE BEST_OF] */
     double *seed;           /* [SEEDS][m] where chains start, in the unit box */
     int seeds;
-    int *axis, axes; /* [m] columns that slices go along */
-    double *reach;   /* [m] a length scale, at most 0.3; 0: not an axis */
-    uint64_t first;  /* number of the wave's first chain */
+    int *axis, axes;         /* [m] columns that slices go along */
+    double *reach;           /* [m] a length scale, at most 0.3; 0: not an axis */
+    uint64_t first;          /* number of the wave's first chain */
     int moved[MS_GPR__WAVE]; /* of its chains */
     ms_gpr__chain chain[MS_GPR__TASKS];
     ms_gpr_recommend_report report;
@@ -3094,8 +3093,7 @@ static void ms_gpr__sampler_accept(ms_gpr__sampler *h, const double *x)
     ms_gpr__found *f = &h->found;
     const size_t m = (size_t)h->source.gp->m;
     const double near2 = h->o.avoid_distance * h->o.avoid_distance;
-    const int avoid = h->o.avoid_count > 0 &&
-        ms_gpr__nearest2(&h->source.box, h->o.avoid, h->o.avoid_count, x) < near2;
+    const int avoid = h->o.avoid_count > 0 && ms_gpr__nearest2(&h->source.box, h->o.avoid, h->o.avoid_count, x) < near2;
     if (f->taken == f->count) return;
     if (avoid || ms_gpr__found_before(f, x, m)) {
         ++f->refused;
@@ -3326,7 +3324,8 @@ static ms_status ms_gpr__sampler_chains(ms_gpr__sampler *h, ms_error *error)
     double doubt;
     int i;
     for (; status == MS_OK && h->found.taken < h->found.count; h->first += MS_GPR__WAVE) {
-        if (h->seeds == 0 || (double)h->first / 40 > (double)h->found.count + (int)MS_GPR__WAVE) return MS_NOT_CONVERGED;
+        if (h->seeds == 0 || (double)h->first / 40 > (double)h->found.count + (int)MS_GPR__WAVE)
+            return MS_NOT_CONVERGED;
         ms__run(&h->source.gp->parallel, MS_GPR__TASKS, ms_gpr__chain_run, h);
         if (h->first == 0 && h->o.search == MS_GPR_SEARCH_AUTO) {
             status = ms_gpr__sampler_spread(h, &doubt, error);
@@ -3497,16 +3496,16 @@ enum {
 /* A pool of candidates and what is known about them, given the scores and the choices so far. */
 typedef struct ms_gpr__pool {
     ms_gpr__source source;
-    double threshold;       /* of recommendations */
-    int size, count;        /* candidates, a multiple of CHUNK where their variances are computed; choices */
-    double *x;              /* [size][m] */
-    double *points;         /* [active][size] in length scales, as gp->points */
-    double *mean;           /* [size] */
-    double *variance;       /* [size] */
-    double *columns;        /* [padded n][size] U'^-1 k(training, pool) */
-    double *basis;          /* [count][size] posterior covariance with each choice, less what earlier ones explain, over
+    double threshold; /* of recommendations */
+    int size, count;  /* candidates, a multiple of CHUNK where their variances are computed; choices */
+    double *x;        /* [size][m] */
+    double *points;   /* [active][size] in length scales, as gp->points */
+    double *mean;     /* [size] */
+    double *variance; /* [size] */
+    double *columns;  /* [padded n][size] U'^-1 k(training, pool) */
+    double *basis;    /* [count][size] posterior covariance with each choice, less what earlier ones explain, over
                                its deviation */
-    char *taken;            /* [size] 1: chosen, or equal to one that was */
+    char *taken;      /* [size] 1: chosen, or equal to one that was */
 } ms_gpr__pool;
 
 /* spread: what belongs to the variances is not needed. */
@@ -3705,9 +3704,9 @@ struct ms_gpr_latent {
 typedef struct ms_gpr__embedding {
     const ms_gpr_latent *plane;
     ms_gpr__problem problem;
-    double *weight;                 /* [m][stride] K'^-1 x */
-    double *q, *low;                /* [starts][2 z + 2], [2 z + 2] */
-    double *work;                   /* of the minimizer */
+    double *weight;  /* [m][stride] K'^-1 x */
+    double *q, *low; /* [starts][2 z + 2], [2 z + 2] */
+    double *work;    /* of the minimizer */
     double prior;
     const ms_progress *progress;
     int evaluations;

@@ -238,7 +238,7 @@ int main(int argc, char **argv)
     if (!x || !mean || !sigma) return failed(in, "out of memory", 0);
     status = ms_gpr_fit(s.x, s.y, s.n, s.m, &learn, &gp, &fitted, &error);
     if (status == MS_OK) status = ms_gpr_recommend(gp, &options, n, x, mean, sigma, &report, &error);
-    if (status == MS_NOT_CONVERGED && gp && report.found > 0) { /* there are not so many materials */
+    if (status == MS_NOT_CONVERGED && gp && report.found > skip) { /* there are not so many materials */
         fprintf(stderr, "warning: %s\n", error.message);
         status = MS_OK;
     }
@@ -261,8 +261,8 @@ int main(int argc, char **argv)
     summarize(&s, &report, scored, learn.choices.count);
     if (report.search == MS_GPR_SEARCH_THRESHOLD &&
         (of_many = (double *)malloc(EXPLAINED * (size_t)s.m * sizeof *x)) != NULL) {
-        if ( /* of a number of its own: ranges of few are narrow by chance */
-            ms_gpr_recommend(gp, &options, EXPLAINED, of_many, NULL, NULL, &report, NULL) == MS_OK &&
+        /* of a number of its own: ranges of few are narrow by chance */
+        if (ms_gpr_recommend(gp, &options, EXPLAINED, of_many, NULL, NULL, &report, NULL) == MS_OK &&
             explain(gp, of_many, EXPLAINED, &options.space, s.name, 4, why, sizeof why))
             fprintf(stderr, "%s.\n", why);
     }

@@ -316,9 +316,8 @@ static void family_materials(void)
         o.avoid_distance = attack_log(1e-3, 0.5);
     }
     o.seed = attack_draw();
-    attack_say("%d materials, box %d, snap %d, equal %d, tau %.3g, avoid %d within %.3g", count,
-               o.space.low != NULL, o.space.snap != NULL, grid.equal, o.tau, o.avoid_count,
-               o.avoid_distance);
+    attack_say("%d materials, box %d, snap %d, equal %d, tau %.3g, avoid %d within %.3g", count, o.space.low != NULL,
+               o.space.snap != NULL, grid.equal, o.tau, o.avoid_count, o.avoid_distance);
     memset(&r, 0, sizeof r);
     for (i = 0; i < COUNT * COLUMNS; ++i) x[i] = 7e77;
     status = ms_gpr_recommend(gp, &o, count, x, mean, sigma, &r, &error);
