@@ -844,8 +844,6 @@ static const struct {
     {run_match, NULL, FIELD(ms_pme_match_options, random_count, 'i'), -1, 0, 5, NONE},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, evaluations, 'i'), -1, 0, 5, NONE},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, tau, 'd'), -0.001, 0, 0.9, 1.001},
-    {run_recommend, NULL, FIELD(ms_gpr_recommend_options, diversity, 'd'), -0.001, 0, 1, 1.001},
-    {run_recommend, NULL, FIELD(ms_gpr_recommend_options, skip, 'i'), -1, 0, 2, NONE},
     {run_recommend, set_threshold, FIELD(ms_gpr_recommend_options, search, 'i'), -1, 0, 2, 3},
     {run_gallery, NULL, FIELD(ms_gpr_gallery_options, kind, 'i'), -1, 0, 1, 2},
     {run_simulate, set_fast, FIELD(ms_mcml_options, roulette_weight, 'd'), -1e-9, 0, 1, 1.0001},

@@ -1790,8 +1790,9 @@ static void test_variants(void)
         double top = -1e300, again[12], u;
         CHECK_NEAR(v[i].value, v[i].confidence * (lambda[i] * v[i].similarity + (1 - lambda[i]) * v[i].score / 10),
                    1e-12);
-        if (i) CHECK(v[i].confidence * v[i].similarity >= v[i - 1].confidence * v[i - 1].similarity);
-        if (i) CHECK(v[i].confidence * v[i].score <= v[i - 1].confidence * v[i - 1].score);
+        if (i) CHECK(v[i].confidence * v[i].similarity >= v[i - 1].confidence * v[i - 1].similarity - 1e-14);
+        if (i) /* scores to 10: two searches that end in one place differ by the rounding of a product */
+            CHECK(v[i].confidence * v[i].score <= v[i - 1].confidence * v[i - 1].score + 1e-13);
         CHECK(v[i].confidence > 0.5); /* not where the plane knows nothing */
         CHECK(v[i].latent[0] > p.grid.x0 && v[i].latent[0] < p.grid.x1 && v[i].latent[1] > p.grid.y0 &&
               v[i].latent[1] < p.grid.y1);
