@@ -348,17 +348,14 @@ typedef enum ms_gpr_search {
 
 /* All zero: the defaults. */
 typedef struct ms_gpr_recommend_options {
-    double tau;       /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. floor: as in ms_gpr_view */
-    double best;      /* the score that tau = 1 means. 0: the largest given. At most the largest mean in the box */
-    double diversity; /* 0: in proportion to the volume of what is liked. Up to 1: every recommendation is the farthest
-                         from those before it of 1 + 15 diversity, which takes time in count^2 */
+    double tau;  /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. floor: as in ms_gpr_view */
+    double best; /* the score that tau = 1 means. 0: the largest given. At most the largest mean in the box */
     ms_gpr_space space;
     const double *avoid; /* [avoid_count][m] "not like these": nothing nearer than avoid_distance to any of them */
     int avoid_count;
     double avoid_distance; /* root mean square over the dimensions, in widths of the box; uniform pairs are 0.4 apart.
                               0: 0.15 */
-    int skip;              /* leaves out the first `skip` of the sequence that seed stands for */
-    uint64_t seed;
+    uint64_t seed;         /* stands for a sequence: larger counts go on with it */
     ms_gpr_search search;
     ms_progress progress; /* asked once every 64 recommendations */
 } ms_gpr_recommend_options;
@@ -371,7 +368,6 @@ typedef struct ms_gpr_recommend_report {
     double best;          /* largest mean that was found over the box */
     double acceptance;    /* share of 4096 uniform candidates whose mean reaches the threshold */
     double candidates;    /* whose means were predicted, but for those along chains */
-    double spread;        /* mean distance of the first 200 to the nearest of them, measured as avoid_distance */
 } ms_gpr_recommend_report;
 
 /* Materials whose predicted score reaches a threshold. Where nothing is predicted to, or the predictions are uncertain
@@ -731,9 +727,7 @@ static double ms_gpr__pow2(double whole)
 }
 
 #ifndef MS_GPR_FILENAME
-#define MS_GPR_FILENAME \
-    "ms_gpr.h" /* the header includes its kernels, once a level; define it if the file is renamed \
-                */
+#define MS_GPR_FILENAME "ms_gpr.h" /* it includes its own kernels, once a level */
 #endif
 
 #define MS_GPR__PASS 1
@@ -860,16 +854,13 @@ static inline double MS_GPR__KERNEL(sum)(MS_GPR__V v)
 static double MS_GPR__KERNEL(line_mean)(const double *d2, const double *slope, double t, double constant,
                                         const double *weight, int n)
 {
-    MS_GPR__V ahead = MS_GPR__SET(t), rest = MS_GPR__SET(constant), sum0 = MS_GPR__SET(0.0), sum1 = sum0, x;
+    MS_GPR__V ahead = MS_GPR__SET(t), rest = MS_GPR__SET(constant), sum = MS_GPR__SET(0.0);
     int i;
-    for (i = 0; i < n; i += MS_GPR__WIDE) {
-        int next = i + MS_GPR__LANES;
-        x = MS_GPR__MADD(ahead, MS_GPR__LOAD(slope + i), MS_GPR__LOAD(d2 + i) + rest);
-        sum0 = MS_GPR__MADD(MS_GPR__LOAD(weight + i), MS_GPR__KERNEL(exponential)(x), sum0);
-        x = MS_GPR__MADD(ahead, MS_GPR__LOAD(slope + next), MS_GPR__LOAD(d2 + next) + rest);
-        sum1 = MS_GPR__MADD(MS_GPR__LOAD(weight + next), MS_GPR__KERNEL(exponential)(x), sum1);
+    for (i = 0; i < n; i += MS_GPR__LANES) {
+        MS_GPR__V x = MS_GPR__MADD(ahead, MS_GPR__LOAD(slope + i), MS_GPR__LOAD(d2 + i) + rest);
+        sum = MS_GPR__MADD(MS_GPR__LOAD(weight + i), MS_GPR__KERNEL(exponential)(x), sum);
     }
-    return MS_GPR__KERNEL(sum)(sum0 + sum1);
+    return MS_GPR__KERNEL(sum)(sum);
 }
 
 static void MS_GPR__KERNEL(distances)(double *d2, const double *points, size_t stride, const double *point,
@@ -996,7 +987,7 @@ static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
 #if defined(MS_GPR__KERNELS_END) && !defined(MS_GPR__PASS)
 #undef MS_GPR__KERNELS_END
 
-/* AVX-512 brought 4 to 8% over AVX2 here, too little for its text: the best level is AVX2. */
+/* The best level is AVX2. */
 static ms_simd ms_gpr__simd_pick(ms_simd cap)
 {
     ms_simd level = ms__simd_pick(MS_GPR__VECTORS ? cap : MS_SIMD_SCALAR);
@@ -1205,6 +1196,21 @@ static int ms_gpr__at_bound(const ms_gpr__search *s, int i, double x, double slo
     return (s->low && x <= s->low[i] && slope > 0) || (s->high && x >= s->high[i] && slope < 0);
 }
 
+static double ms_gpr__product(const double *a, const double *b, size_t count)
+{
+    double sum = 0;
+    size_t i;
+    for (i = 0; i < count; ++i) sum += a[i] * b[i];
+    return sum;
+}
+
+/* to += scale from */
+static void ms_gpr__add(double *to, double scale, const double *from, size_t count)
+{
+    size_t i;
+    for (i = 0; i < count; ++i) to[i] += scale * from[i];
+}
+
 /* Projected L-BFGS (Nocedal & Wright 2006, algorithm 7.4) with a backtracking line search along the projected path.
    q: start in, best out. work: ms_gpr__minimize_doubles(count). Never leaves q worse than it was. */
 static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, double *work)
@@ -1227,33 +1233,27 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
     }
     while (best.evaluations < s->evaluations) {
         double slope = 0, largest = 0, step = 1, value = 0, decrease = 0, steepest = 0;
+        double *move, *change, length, gain, curvature;
         for (i = 0; i < s->count; ++i) {
             direction[i] = ms_gpr__at_bound(s, i, q[i], gradient[i]) ? 0 : -gradient[i];
             if (fabs(direction[i]) > steepest) steepest = fabs(direction[i]);
         }
         if (!(steepest > 0)) break;
+        length = 0.5 / fmax(steepest, 0.5);
         for (k = 0; k < stored; ++k) { /* two-loop recursion, on the free variables */
-            int at = (newest - k + MS_GPR__MEMORY) % MS_GPR__MEMORY;
-            const double *move = moves + (size_t)at * n, *change = changes + (size_t)at * n;
-            for (i = 0, a[at] = 0; i < s->count; ++i) a[at] += move[i] * direction[i];
-            a[at] *= rho[at];
-            for (i = 0; i < s->count; ++i) direction[i] -= a[at] * change[i];
+            const size_t at = (size_t)((newest - k + MS_GPR__MEMORY) % MS_GPR__MEMORY);
+            a[at] = rho[at] * ms_gpr__product(moves + at * n, direction, n);
+            ms_gpr__add(direction, -a[at], changes + at * n, n);
         }
         if (stored) {
-            const double *move = moves + (size_t)newest * n, *change = changes + (size_t)newest * n;
-            double my = 0, yy = 0;
-            for (i = 0; i < s->count; ++i) my += move[i] * change[i], yy += change[i] * change[i];
-            for (i = 0; i < s->count; ++i) direction[i] *= my / yy;
-        } else {
-            for (i = 0; i < s->count; ++i) direction[i] *= 0.5 / (steepest > 0.5 ? steepest : 0.5);
+            change = changes + (size_t)newest * n;
+            length = 1 / (rho[newest] * ms_gpr__product(change, change, n));
         }
+        for (k = 0; k < s->count; ++k) direction[k] *= length;
         for (k = stored - 1; k >= 0; --k) {
-            int at = (newest - k + MS_GPR__MEMORY) % MS_GPR__MEMORY;
-            const double *move = moves + (size_t)at * n, *change = changes + (size_t)at * n;
-            double b = 0;
-            for (i = 0; i < s->count; ++i) b += change[i] * direction[i];
-            b = a[at] - b * rho[at];
-            for (i = 0; i < s->count; ++i) direction[i] += b * move[i];
+            const size_t at = (size_t)((newest - k + MS_GPR__MEMORY) % MS_GPR__MEMORY);
+            const double b = rho[at] * ms_gpr__product(changes + at * n, direction, n);
+            ms_gpr__add(direction, a[at] - b, moves + at * n, n);
         }
         for (i = 0; i < s->count; ++i) {
             if (ms_gpr__at_bound(s, i, q[i], gradient[i])) direction[i] = 0;
@@ -1285,7 +1285,7 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
             }
             if (defined && ms__finite(value)) { /* the minimum of the parabola through both values and the slope */
                 double shrink = -0.5 * decrease / (value - best.value - decrease);
-                step *= shrink < 0.1 ? 0.1 : shrink > 0.5 ? 0.5 : shrink;
+                step *= fmin(fmax(shrink, 0.1), 0.5);
             } else {
                 step *= 0.25;
             }
@@ -1295,29 +1295,25 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
             stored = 0;
             continue;
         }
-        {
-            int at = (newest + 1) % MS_GPR__MEMORY;
-            double *move = moves + (size_t)at * n, *change = changes + (size_t)at * n, curvature = 0, yy = 0,
-                   gain = best.value - value;
-            for (i = 0, steepest = 0; i < s->count; ++i) {
-                move[i] = trial[i] - q[i];
-                change[i] = trial_gradient[i] - gradient[i];
-                curvature += move[i] * change[i];
-                yy += change[i] * change[i];
-                q[i] = trial[i];
-                gradient[i] = trial_gradient[i];
-                if (!ms_gpr__at_bound(s, i, q[i], gradient[i]) && fabs(gradient[i]) > steepest)
-                    steepest = fabs(gradient[i]);
-            }
-            best.value = value;
-            if (curvature > 1e-10 * yy) {
-                rho[at] = 1 / curvature;
-                newest = at;
-                if (stored < MS_GPR__MEMORY) ++stored;
-            }
-            if (gain < s->tolerance && steepest * steepest < s->tolerance) break;
-            if (gain < 1e-3 * s->tolerance) break;
+        move = moves + (size_t)((newest + 1) % MS_GPR__MEMORY) * n;
+        change = changes + (size_t)((newest + 1) % MS_GPR__MEMORY) * n;
+        for (i = 0, steepest = 0; i < s->count; ++i) {
+            move[i] = trial[i] - q[i];
+            change[i] = trial_gradient[i] - gradient[i];
+            q[i] = trial[i];
+            gradient[i] = trial_gradient[i];
+            if (!ms_gpr__at_bound(s, i, q[i], gradient[i])) steepest = fmax(steepest, fabs(gradient[i]));
         }
+        gain = best.value - value;
+        best.value = value;
+        curvature = ms_gpr__product(move, change, n);
+        if (curvature > 1e-10 * ms_gpr__product(change, change, n)) {
+            newest = (newest + 1) % MS_GPR__MEMORY;
+            rho[newest] = 1 / curvature;
+            if (stored < MS_GPR__MEMORY) ++stored;
+        }
+        if (gain < s->tolerance && steepest * steepest < s->tolerance) break;
+        if (gain < 1e-3 * s->tolerance) break;
     }
     return best;
 }
@@ -1403,9 +1399,6 @@ static int ms_gpr__factor(const ms_gpr__kernels *f, const double *kernel, size_t
     }
     return ms_gpr__cholesky(f, upper, stride, padded, n * 2.220446049250313e-16 * (sf2 + noise));
 }
-
-/* The next part of sf^2 to add to the diagonal of a matrix that has no factor, up to 1e-6. */
-static double ms_gpr__next_jitter(double jitter) { return jitter > 0 ? 10 * jitter : 1e-15; }
 
 static double ms_gpr__log_determinant(const double *upper, size_t stride, int n)
 {
@@ -1541,22 +1534,10 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
     const ms_gpr__kernels *f = p->kernels;
     int padded = ms_gpr__padded(p->n), step, halving, i;
     size_t row = (size_t)padded * sizeof(double);
-    double ridge = MS_GPR__RIDGE / sf2, determinant = 0, value, better;
+    double ridge = MS_GPR__RIDGE / sf2, determinant = 0, value, better = 0;
     double *z = p->list, *l1 = z + p->stride, *turn = l1 + p->stride, *move = turn + p->stride;
-    /* the better start: the alpha that is there, or nothing known */
     ms_gpr__times_kernel(p, p->alpha, p->latent);
     value = ms_gpr__log_posterior(p, ridge, noise);
-    memcpy(turn, p->alpha, row);
-    memset(p->alpha, 0, row);
-    memcpy(move, p->latent, row);
-    memset(p->latent, 0, row);
-    better = ms_gpr__log_posterior(p, ridge, noise);
-    if (!ms__finite(value) || better > value) {
-        value = better;
-    } else {
-        memcpy(p->alpha, turn, row);
-        memcpy(p->latent, move, row);
-    }
     for (step = 0; step < 100; ++step) {
         double slope = 0;
         /* Newton's step: to alpha = (K + W^-1)^-1 (f + W^-1 l'), f = K alpha */
@@ -1588,28 +1569,16 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
     return 1;
 }
 
-/* covariance = C = K - K (K + W^-1)^-1 K, that of the latent values, whole; solved = U'^-1 K. */
-static void ms_gpr__laplace_covariance(ms_gpr__problem *p, double *covariance)
-{
-    const int padded = ms_gpr__padded(p->n);
-    const size_t matrix = (size_t)padded * p->stride * sizeof *covariance;
-    memcpy(p->solved, p->kernel, matrix);
-    memcpy(covariance, p->kernel, matrix);
-    ms_gpr__forward(p->kernels, p->upper, p->stride, padded, p->solved, p->stride, padded);
-    p->kernels->reduce(covariance, p->stride, p->solved, p->stride, p->solved, p->stride, padded, padded, padded, 0);
-}
-
-/* s = -1/2 d log |I + K W| / df = 1/2 sum over j, k of C_jk d^3 log p / df df_j df_k, at the latent values; C from
-   ms_gpr__laplace_covariance. by_s [stride], by_noise: where not NULL, the derivatives of l' and of the whole by log
-   sn. For a choice with q_j = C_jj - 2 (C p)_j: W = (diag(p) - p p') / s^2, dp_j/df_i = p_j (delta_ij - p_i) / s. */
+/* s = -1/2 d log |I + K W| / df = 1/2 sum over j, k of C_jk d^3 log p / df df_j df_k, at the latent values; C
+   [n][stride]. by_s [stride], by_noise: the derivatives of l' and of the whole by log sn. For a choice with q_j = C_jj - 2 (C p)_j: W = (diag(p) - p p') / s^2, dp_j/df_i = p_j (delta_ij - p_i) / s. */
 static void ms_gpr__laplace_third(ms_gpr__problem *p, double noise, const double *covariance, double *third,
                                   double *by_s, double *by_noise)
 {
     double s = ms_gpr__scale_of(noise), *q = p->list + 5 * p->stride;
     int c, i, j;
     memset(third, 0, p->stride * sizeof *third);
-    if (by_s) memset(by_s, 0, p->stride * sizeof *by_s);
-    for (i = 0; by_s && i < p->n; ++i) {
+    memset(by_s, 0, p->stride * sizeof *by_s);
+    for (i = 0; i < p->n; ++i) {
         double off = p->target[i] - p->latent[i];
         if (!p->scored[i]) continue;
         by_s[i] = -2 * off / noise;
@@ -1631,7 +1600,6 @@ static void ms_gpr__laplace_third(ms_gpr__problem *p, double noise, const double
             mean_latent += probability[i] * p->latent[row[i]];
         }
         for (i = 0; i < size; ++i) third[row[i]] -= 0.5 * probability[i] * (q[i] - mean_q) / (s * s * s);
-        if (by_s == NULL) continue;
         *by_noise += (mean_latent - p->latent[row[0]]) / s + (mean_variance - quadratic) / (s * s);
         for (i = 0; i < size; ++i) {
             double turn = probability[i] * (p->latent[row[i]] - mean_latent) / s; /* -dp_i/dlog s */
@@ -1649,10 +1617,15 @@ static void ms_gpr__laplace_implicit(ms_gpr__problem *p, double sf2, double nois
 {
     const ms_gpr__kernels *f = p->kernels;
     int padded = ms_gpr__padded(p->n), i;
+    const size_t matrix = (size_t)padded * p->stride * sizeof *p->solved;
     double ridge = MS_GPR__RIDGE / sf2;
     double *s = p->list, *u = s + p->stride, *h = u + p->stride, *by_s = h + p->stride;
     *by_sf = *by_sn = 0;
-    ms_gpr__laplace_covariance(p, p->inverse);
+    /* inverse = C = K - K (K + W^-1)^-1 K, the covariance of the latent values, whole; solved = U'^-1 K */
+    memcpy(p->solved, p->kernel, matrix);
+    memcpy(p->inverse, p->kernel, matrix);
+    ms_gpr__forward(f, p->upper, p->stride, padded, p->solved, p->stride, padded);
+    f->reduce(p->inverse, p->stride, p->solved, p->stride, p->solved, p->stride, padded, padded, padded, 0);
     ms_gpr__laplace_third(p, noise, p->inverse, s, by_s, by_sn);
     ms_gpr__times_kernel(p, s, u);
     ms_gpr__forward_vector(f, p->upper, p->stride, padded, u);
@@ -1907,17 +1880,15 @@ static double ms_gpr__floor_of(const ms_gpr *gp)
 static ms_status ms_gpr__problem_of(const ms_gpr *gp, ms_gpr__problem *p, void **memory, ms_error *error)
 {
     ms__arena arena = {NULL, 0};
-    int pass, i, k;
+    int i;
     memset(p, 0, sizeof *p);
-    for (pass = 0; pass < 2; ++pass) {
-        ms_gpr__problem_layout(p, gp->kernels, gp->n, gp->active, gp->soft, &gp->choices, &arena);
-        if (pass == 0 && !ms_gpr__place(&gp->allocator, &arena))
-            return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d points", gp->n);
-    }
+    ms_gpr__problem_layout(p, gp->kernels, gp->n, gp->active, gp->soft, &gp->choices, &arena);
+    if (!ms_gpr__place(&gp->allocator, &arena))
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d points", gp->n);
+    ms_gpr__problem_layout(p, gp->kernels, gp->n, gp->active, gp->soft, &gp->choices, &arena);
     *memory = arena.base;
     ms_gpr__problem_clear(p, &gp->choices);
-    for (k = 0; k < gp->active; ++k)
-        memcpy(p->points + (size_t)k * p->stride, gp->points + (size_t)k * gp->stride, (size_t)gp->n * sizeof(double));
+    memcpy(p->points, gp->points, (size_t)gp->active * gp->stride * sizeof *p->points);
     for (i = 0; i < gp->n; ++i) {
         p->target[i] = ms_gpr__target(gp, i);
         if (gp->soft) p->scored[i] = (char)ms_gpr__scored(gp->y[i]);
@@ -1956,16 +1927,17 @@ static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
     /* the posterior */
     status = ms_gpr__problem_of(gp, &p, &memory, error);
     if (status != MS_OK) return status;
-    for (gp->jitter = 0; gp->jitter < 2e-6; gp->jitter = ms_gpr__next_jitter(gp->jitter)) {
+    for (gp->jitter = 0; gp->jitter < 2e-6; gp->jitter = fmax(10 * gp->jitter, 1e-15)) {
         double noise = ms_gpr__sn2(gp) + gp->jitter * sf2;
-        memcpy(p.alpha, gp->alpha, row);
+        memset(p.alpha, 0, row);
         found = ms_gpr__evaluate(&p, sf2, noise, &gp->likelihood, NULL);
         if (found && p.choices > 0) found = ms_gpr__laplace_mean(&p, sf2, noise);
         if (found) break;
     }
+    memset(gp->alpha, 0, gp->stride * sizeof *gp->alpha);
     if (found) memcpy(gp->alpha, p.alpha, row);
+    memcpy(gp->upper, p.upper, (size_t)ms_gpr__padded(gp->n) * gp->stride * sizeof *p.upper);
     for (i = 0; i < ms_gpr__padded(gp->n); ++i) {
-        memcpy(gp->upper + (size_t)i * gp->stride, p.upper + (size_t)i * p.stride, row);
         gp->weight[i] = sf2 * gp->alpha[i];
         if (i < gp->n && !ms_gpr__scored(gp->y[i])) gp->value[i] = gp->mean + p.latent[i];
     }
@@ -2070,9 +2042,7 @@ static ms_status ms_gpr__check_theta(const double *theta, int m, ms_error *error
 
 /* --- create, update --- */
 
-/* A model of these parts. alpha [known]: where Newton's method starts; the rest from 0. */
-static ms_status ms_gpr__make(const ms_gpr_view *parts, const ms_gpr_options *o, const double *alpha, int known,
-                              ms_gpr **out, ms_error *error)
+static ms_status ms_gpr__make(const ms_gpr_view *parts, const ms_gpr_options *o, ms_gpr **out, ms_error *error)
 {
     ms__arena arena = {NULL, 0};
     ms_gpr *gp = (ms_gpr *)ms__alloc(&o->allocator, sizeof *gp);
@@ -2108,8 +2078,6 @@ static ms_status ms_gpr__make(const ms_gpr_view *parts, const ms_gpr_options *o,
     }
     for (k = 0; k < m + 2; ++k) /* the default: lengths sqrt(m), sf 1, sn 0.1 */
         gp->theta[k] = parts->theta ? parts->theta[k] : k < m ? 0.5 * log((double)m) : k == m ? 0 : -2.302585092994046;
-    memset(gp->alpha, 0, gp->stride * sizeof *gp->alpha);
-    if (known > 0) memcpy(gp->alpha, alpha, (size_t)known * sizeof *gp->alpha);
     status = ms_gpr__condition(gp, error);
     if (status == MS_OK) *out = gp;
     else ms_gpr_destroy(gp);
@@ -2138,7 +2106,7 @@ MS_API ms_status ms_gpr_create(const ms_gpr_view *parts, const ms_gpr_options *o
     memset(&o, 0, sizeof o);
     if (options) o = *options;
     status = ms_gpr__check_parts(parts, &o.allocator, error);
-    return status == MS_OK ? ms_gpr__make(parts, &o, NULL, 0, out, error) : status;
+    return status == MS_OK ? ms_gpr__make(parts, &o, out, error) : status;
 }
 
 MS_API ms_status ms_gpr_update(ms_gpr *gp, const ms_gpr_view *parts, ms_error *error)
@@ -2154,7 +2122,7 @@ MS_API ms_status ms_gpr_update(ms_gpr *gp, const ms_gpr_view *parts, ms_error *e
     o.allocator = gp->allocator;
     o.parallel = gp->parallel;
     status = ms_gpr__check_parts(parts, &o.allocator, error);
-    if (status == MS_OK) status = ms_gpr__make(parts, &o, gp->alpha, gp->n < parts->n ? gp->n : parts->n, &made, error);
+    if (status == MS_OK) status = ms_gpr__make(parts, &o, &made, error);
     if (status != MS_OK) return status;
     old = *gp;
     *gp = *made;
@@ -2311,8 +2279,7 @@ static ms_status ms_gpr__predict_run(ms_gpr__batch *b, ms_error *error)
     int chunks = (b->count - 1) / MS_GPR__CHUNK + 1;
     if (b->count == 0) return MS_OK;
     b->tasks = gp->parallel.run == NULL ? 1 : chunks < 16 ? chunks : 16;
-    b->task_doubles = ms__size_mul(MS_GPR__CHUNK,
-                                   (size_t)gp->active + (rows > 0 ? rows : 1));
+    b->task_doubles = ms__size_mul(MS_GPR__CHUNK, (size_t)gp->active + (rows > 0 ? rows : 1));
     b->scratch = ms_gpr__scratch(&gp->allocator, ms__size_mul((size_t)b->tasks, b->task_doubles));
     if (b->scratch == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for predictions");
     ms__run(&gp->parallel, b->tasks, ms_gpr__predict_task, b);
@@ -2794,8 +2761,7 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
         o.simd = fit.o.simd;
         o.allocator = fit.o.allocator;
         o.parallel = fit.o.parallel;
-        for (i = 0; fit.soft && i < n; ++i) fit.problem.alpha[i] /= fit.unit;
-        status = ms_gpr__make(&parts, &o, fit.problem.alpha, fit.soft ? n : 0, out, error);
+        status = ms_gpr__make(&parts, &o, out, error);
     }
     if (status == MS_OK && report) {
         ms_gpr__fit_criticize(&fit, *out);
@@ -3041,28 +3007,24 @@ static void ms_gpr__source_fill(ms_gpr__source *s, int variants, double least, d
 /* --- recommendations --- */
 
 enum {
-    MS_GPR__PILOT = 4096,    /* uniform candidates that are looked at first */
-    MS_GPR__WAVE = 64,       /* chains that run together, or variants of a round */
-    MS_GPR__TASKS = 16,      /* that share the chains of a wave */
-    MS_GPR__SEEDS = 1024,    /* places where chains start, at most */
-    MS_GPR__SEEDS_FEW = 16,  /* uniform ones, below which answered materials and the best one are starts as well */
-    MS_GPR__CLIMB = 5,       /* steps along every axis of the climb to the largest mean */
-    MS_GPR__BEST_OF = 10,    /* variants of which the one with the largest mean is taken */
-    MS_GPR__RIVALS = 16      /* candidates of which one is taken, at the largest diversity */
+    MS_GPR__PILOT = 4096,   /* uniform candidates that are looked at first */
+    MS_GPR__WAVE = 64,      /* chains that run together, or variants of a round */
+    MS_GPR__TASKS = 16,     /* that share the chains of a wave */
+    MS_GPR__SEEDS = 1024,   /* places where chains start, at most */
+    MS_GPR__SEEDS_FEW = 16, /* uniform ones, below which answered materials and the best one are starts as well */
+    MS_GPR__CLIMB = 5,      /* steps along every axis of the climb to the largest mean */
+    MS_GPR__BEST_OF = 10    /* variants of which the one with the largest mean is taken */
 };
-static const double MS_GPR__INFORMATIVE = 0.3; /* length scales in the box's width from which on a column matters */
-static const double MS_GPR__REACH = 3.0;       /* length scales that a slice is long, at most */
-static const int MS_GPR__REFUSED = 20000;      /* candidates in a row that were known or to be avoided, at most */
+static const double MS_GPR__REACH = 3.0;  /* length scales that a slice is long, at most */
+static const int MS_GPR__REFUSED = 20000; /* candidates in a row that were known or to be avoided, at most */
 /* Mean sigma of recommendations over (best - floor) from which on variants are recommended in their place. Below it,
    true scores of 57 persons were at least what was predicted; from here on they fell short, by half at 0.16. */
 static const double MS_GPR__DOUBT = 0.1;
 
 /* The recommendations so far, all different. */
 typedef struct ms_gpr__found {
-    int count, taken; /* wanted, with those to be skipped; found */
-    double *x;        /* [count][m] */
-    double *rivals;   /* [RIVALS][m] candidates for the next one, of which the farthest is taken */
-    int rival_count;
+    int count, taken;     /* wanted; found */
+    double *x;            /* [count][m] */
     int all_new;          /* no two candidates are equal: something is continuous, and there is no snap */
     int refused, avoided; /* candidates in a row that were equal to one of x, or to be avoided; the latter alone */
 } ms_gpr__found;
@@ -3092,10 +3054,9 @@ typedef struct ms_gpr__sampler {
     ms_gpr__ranked *ranked; /* [WAVE BEST_OF] */
     double *seed;           /* [SEEDS][m] where chains start, in the unit box */
     int seeds;
-    int *axis, axes;  /* [m] columns that slices go along */
-    int *flat, flats; /* [m] columns that the mean hardly depends on */
-    double *reach;    /* [m] a length scale, at most 0.3; 0: not an axis */
-    uint64_t first;   /* number of the wave's first chain */
+    int *axis, axes;         /* [m] columns that slices go along */
+    double *reach;           /* [m] a length scale, at most 0.3; 0: not an axis */
+    uint64_t first;          /* number of the wave's first chain */
     int moved[MS_GPR__WAVE]; /* of its chains */
     ms_gpr__chain chain[MS_GPR__TASKS];
     ms_gpr_recommend_report report;
@@ -3126,32 +3087,21 @@ static int ms_gpr__found_before(const ms_gpr__found *f, const double *x, size_t 
     return 0;
 }
 
-/* How many candidates each recommendation is the farthest of. */
-static int ms_gpr__rivals(double diversity) { return 1 + (int)((MS_GPR__RIVALS - 1) * diversity + 0.5); }
-
-/* The next candidate of the sequence. Of as many as are rivals, the one farthest from those before is taken. */
+/* The next candidate of the sequence. */
 static void ms_gpr__sampler_accept(ms_gpr__sampler *h, const double *x)
 {
-    const ms_gpr__box *box = &h->source.box;
     ms_gpr__found *f = &h->found;
-    size_t m = (size_t)box->m, row = m * sizeof *x;
-    double farthest = -1, near2 = h->o.avoid_distance * h->o.avoid_distance;
-    int size = ms_gpr__rivals(h->o.diversity), i, best = 0;
-    int avoid = h->o.avoid_count > 0 && ms_gpr__nearest2(box, h->o.avoid, h->o.avoid_count, x) < near2;
+    const size_t m = (size_t)h->source.gp->m;
+    const double near2 = h->o.avoid_distance * h->o.avoid_distance;
+    const int avoid = h->o.avoid_count > 0 && ms_gpr__nearest2(&h->source.box, h->o.avoid, h->o.avoid_count, x) < near2;
     if (f->taken == f->count) return;
     if (avoid || ms_gpr__found_before(f, x, m)) {
         ++f->refused;
         f->avoided += avoid;
         return;
     }
-    memcpy(f->rivals + (size_t)f->rival_count++ * m, x, row);
-    if (f->rival_count < size) return;
-    for (i = 0; i < size && size > 1; ++i) {
-        double d2 = ms_gpr__nearest2(box, f->x, f->taken, f->rivals + (size_t)i * m);
-        if (d2 > farthest) best = i, farthest = d2;
-    }
-    f->rival_count = f->refused = f->avoided = 0;
-    memcpy(f->x + (size_t)f->taken++ * m, f->rivals + (size_t)best * m, row);
+    f->refused = f->avoided = 0;
+    memcpy(f->x + (size_t)f->taken++ * m, x, m * sizeof *x);
 }
 
 /* Between rounds: MS_CANCELLED, or MS_NOT_CONVERGED where candidates are refused all the time. */
@@ -3265,25 +3215,13 @@ static void ms_gpr__chain_slice(const ms_gpr__sampler *h, ms_gpr__chain *c, doub
     }
 }
 
-/* What the mean hardly depends on moves all at once: to a uniform point of the box, or where the mean there does not
-   reach the threshold, by a slice across. */
-static void ms_gpr__chain_flat(const ms_gpr__sampler *h, ms_gpr__chain *c)
-{
-    int i;
-    memset(c->direction, 0, (size_t)h->source.gp->m * sizeof *c->direction);
-    for (i = 0; i < h->flats; ++i) c->direction[h->flat[i]] = ms_gpr__uniform(&c->random) - c->point[h->flat[i]];
-    ms_gpr__chain_face(h, c);
-    if (h->flats == 0 || ms_gpr__chain_try(h, c, 1)) return;
-    for (i = 0; i < h->flats; ++i) c->direction[h->flat[i]] = 2 * ms_gpr__uniform(&c->random) - 1;
-    ms_gpr__chain_slice(h, c, 1);
-}
-
-/* A slice along axis number `axis`, and one across all. */
+/* A slice along axis number `axis`; with every fourth one across all. */
 static void ms_gpr__chain_step(const ms_gpr__sampler *h, ms_gpr__chain *c, int axis)
 {
     int m = h->source.gp->m, k;
     for (k = 0; k < m; ++k) c->direction[k] = k == h->axis[axis] ? h->reach[k] : 0;
     ms_gpr__chain_slice(h, c, MS_GPR__REACH);
+    if (axis % 4 != 0) return;
     for (k = 0; k < m; ++k) c->direction[k] = h->reach[k] * (2 * ms_gpr__uniform(&c->random) - 1);
     ms_gpr__chain_slice(h, c, MS_GPR__REACH);
 }
@@ -3297,11 +3235,7 @@ static void ms_gpr__chain_run(void *context, int task)
     int i, j;
     for (i = task; i < MS_GPR__WAVE; i += MS_GPR__TASKS) {
         ms_gpr__chain_start(h, c, h->first + (uint64_t)i);
-        for (j = 0; j < h->axes; ++j) {
-            ms_gpr__chain_step(h, c, j);
-            if (j % 4 == 0) ms_gpr__chain_flat(h, c);
-        }
-        ms_gpr__chain_flat(h, c);
+        for (j = 0; j < h->axes; ++j) ms_gpr__chain_step(h, c, j);
         h->moved[i] = c->moved;
         ms_gpr__box_material(&h->source.box, c->point, h->candidate + (size_t)i * (size_t)h->source.gp->m);
     }
@@ -3317,10 +3251,7 @@ static void ms_gpr__chain_climb(ms_gpr__sampler *h, double *x)
     ms_gpr__chain_start(h, c, 0);
     c->climbs = 1;
     c->level = -HUGE_VAL;
-    for (j = 0; j < MS_GPR__CLIMB * (h->axes + 1); ++j) {
-        if (h->axes > 0) ms_gpr__chain_step(h, c, j % h->axes);
-        if (j % 4 == 0) ms_gpr__chain_flat(h, c);
-    }
+    for (j = 0; j < MS_GPR__CLIMB * h->axes; ++j) ms_gpr__chain_step(h, c, j % h->axes);
     ms_gpr__box_material(&h->source.box, c->point, x);
     h->seeds = 0;
 }
@@ -3389,12 +3320,12 @@ static ms_status ms_gpr__sampler_spread(ms_gpr__sampler *h, double *doubt, ms_er
 static ms_status ms_gpr__sampler_chains(ms_gpr__sampler *h, ms_error *error)
 {
     const size_t m = (size_t)h->source.gp->m;
-    const double wanted = (double)h->found.count * ms_gpr__rivals(h->o.diversity);
     ms_status status = MS_OK;
     double doubt;
     int i;
     for (; status == MS_OK && h->found.taken < h->found.count; h->first += MS_GPR__WAVE) {
-        if (h->seeds == 0 || (double)h->first / 40 > wanted + (int)MS_GPR__WAVE) return MS_NOT_CONVERGED;
+        if (h->seeds == 0 || (double)h->first / 40 > (double)h->found.count + (int)MS_GPR__WAVE)
+            return MS_NOT_CONVERGED;
         ms__run(&h->source.gp->parallel, MS_GPR__TASKS, ms_gpr__chain_run, h);
         if (h->first == 0 && h->o.search == MS_GPR_SEARCH_AUTO) {
             status = ms_gpr__sampler_spread(h, &doubt, error);
@@ -3435,21 +3366,6 @@ static ms_status ms_gpr__sampler_variants(ms_gpr__sampler *h, ms_error *error)
     return status;
 }
 
-/* Mean distance of the first 200 to the nearest other one of them. */
-static double ms_gpr__spread(const ms_gpr__box *box, const double *x, int count)
-{
-    size_t m = (size_t)box->m;
-    double sum = 0;
-    int i;
-    if (count > 200) count = 200;
-    for (i = 0; i < count; ++i) {
-        double before = ms_gpr__nearest2(box, x, i, x + (size_t)i * m);
-        double after = ms_gpr__nearest2(box, x + (size_t)(i + 1) * m, count - i - 1, x + (size_t)i * m);
-        sum += sqrt(fmin(before, after));
-    }
-    return count > 1 ? sum / count : 0;
-}
-
 static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms__arena *arena)
 {
     const ms_gpr *gp = h->source.gp;
@@ -3462,9 +3378,6 @@ static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms__arena *arena)
     h->seed = ms_gpr__take(arena, MS_GPR__SEEDS, m);
     h->reach = ms_gpr__take(arena, m, 1);
     h->axis = (int *)ms__take(arena, m, sizeof(int));
-    h->flat = (int *)ms__take(arena, m, sizeof(int));
-    h->found.rivals = ms_gpr__take(arena, MS_GPR__RIVALS, m);
-    if (h->o.skip > 0) h->found.x = ms_gpr__take(arena, (size_t)h->found.count, m);
     for (i = 0; i < MS_GPR__TASKS; ++i) {
         ms_gpr__chain *c = &h->chain[i];
         c->point = ms_gpr__take(arena, m, 1);
@@ -3479,7 +3392,7 @@ static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms__arena *arena)
     }
 }
 
-/* Which columns the mean depends on: those of which the box has MS_GPR__INFORMATIVE lengths or more. */
+/* What chains move along: every column with a width; one that is left out only where a snap may tie it to others. */
 static void ms_gpr__sampler_axes(ms_gpr__sampler *h)
 {
     const ms_gpr *gp = h->source.gp;
@@ -3489,12 +3402,8 @@ static void ms_gpr__sampler_axes(ms_gpr__sampler *h)
         const double width = h->source.box.width[k];
         const int dropped = !(gp->theta[k] < MS_GPR__DROPPED);
         if (!(width > 0) || (dropped && h->source.box.snap == NULL)) continue;
-        if (dropped || width * gp->scale[k] < MS_GPR__INFORMATIVE) {
-            h->flat[h->flats++] = k;
-        } else {
-            h->axis[h->axes++] = k;
-            h->reach[k] = fmin(1 / (width * gp->scale[k]), 0.3);
-        }
+        h->axis[h->axes++] = k;
+        h->reach[k] = fmin(1 / (width * gp->scale[k]), 0.3);
     }
 }
 
@@ -3505,10 +3414,8 @@ static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *optio
     if (options != NULL) *o = *options;
     else memset(o, 0, sizeof *o);
     status = ms_gpr__check_range("tau", o->tau, 0, 1, error);
-    if (status == MS_OK) status = ms_gpr__check_range("diversity", o->diversity, 0, 1, error);
     if (status == MS_OK) status = ms_gpr__check_range("avoid_distance", o->avoid_distance, 0, MS_GPR__LARGEST, error);
     if (status == MS_OK) status = ms_gpr__check_range("best", o->best, -MS_GPR__LARGEST, MS_GPR__LARGEST, error);
-    if (status == MS_OK) status = ms_gpr__check_range("skip", o->skip, 0, MS_GPR__INT_MAX, error);
     if (status == MS_OK) status = ms_gpr__check_range("avoid_count", o->avoid_count, 0, MS_GPR__INT_MAX, error);
     if (status == MS_OK) status = ms_gpr__check_range("search", (int)o->search, 0, (int)MS_GPR_SEARCH_VARIANTS, error);
     if (status == MS_OK && o->avoid_count > 0 && o->avoid == NULL) status = ms_gpr__null("avoid", error);
@@ -3542,18 +3449,14 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     ms_gpr__sampler sampler, *h = &sampler;
     ms__arena arena = {NULL, 0};
     ms_status status;
-    size_t m;
     int i;
     if (gp == NULL || x == NULL) return ms_gpr__null(gp ? "x" : "gp", error);
-    if (count < 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected at least 1", count);
+    status = ms_gpr__check_range("count", count, 1, 0x7fffffff / 16, error);
+    if (status != MS_OK) return status;
     memset(h, 0, sizeof *h);
     status = ms_gpr__recommend_options(options, gp->m, &h->o, error);
     if (status != MS_OK) return status;
-    if (h->o.skip > 0x7fffffff / 16 - count || count > 0x7fffffff / 16)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d and skip %d: expected at most %d together", count,
-                        h->o.skip, 0x7fffffff / 16);
-    m = (size_t)gp->m;
-    h->found.count = count + h->o.skip;
+    h->found.count = count;
     h->found.x = x;
     status = ms_gpr__source_make(&h->source, gp, &h->o.space, error);
     if (status != MS_OK) return status;
@@ -3566,13 +3469,11 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     ms_gpr__sampler_axes(h);
     for (i = 0; i < gp->m && h->source.box.snap == NULL; ++i) h->found.all_new |= h->source.box.width[i] > 0;
     status = ms_gpr__sampler_run(h, error);
-    h->report.found = h->found.taken > h->o.skip ? h->found.taken - h->o.skip : 0;
-    if (h->found.x != x) memcpy(x, h->found.x + (size_t)h->o.skip * m, (size_t)h->report.found * m * sizeof *x);
+    h->report.found = h->found.taken;
     if (h->report.found > 0) {
         double *means = mean == NULL && h->report.found <= MS_GPR__PILOT ? h->mean : mean;
         ms_status predicted = ms_gpr_predict(gp, x, h->report.found, means, sigma, error);
         if (predicted != MS_OK) status = predicted;
-        h->report.spread = ms_gpr__spread(&h->source.box, x, h->report.found);
         for (i = 0; predicted == MS_OK && i < h->report.found; ++i) {
             if (sigma) sigma[i] = sqrt(sigma[i]);
             if (h->report.search == MS_GPR_SEARCH_VARIANTS && means)
@@ -3595,16 +3496,16 @@ enum {
 /* A pool of candidates and what is known about them, given the scores and the choices so far. */
 typedef struct ms_gpr__pool {
     ms_gpr__source source;
-    double threshold;       /* of recommendations */
-    int size, count;        /* candidates, a multiple of CHUNK where their variances are computed; choices */
-    double *x;              /* [size][m] */
-    double *points;         /* [active][size] in length scales, as gp->points */
-    double *mean;           /* [size] */
-    double *variance;       /* [size] */
-    double *columns;        /* [padded n][size] U'^-1 k(training, pool) */
-    double *basis;          /* [count][size] posterior covariance with each choice, less what earlier ones explain, over
+    double threshold; /* of recommendations */
+    int size, count;  /* candidates, a multiple of CHUNK where their variances are computed; choices */
+    double *x;        /* [size][m] */
+    double *points;   /* [active][size] in length scales, as gp->points */
+    double *mean;     /* [size] */
+    double *variance; /* [size] */
+    double *columns;  /* [padded n][size] U'^-1 k(training, pool) */
+    double *basis;    /* [count][size] posterior covariance with each choice, less what earlier ones explain, over
                                its deviation */
-    char *taken;            /* [size] 1: chosen, or equal to one that was */
+    char *taken;      /* [size] 1: chosen, or equal to one that was */
 } ms_gpr__pool;
 
 /* spread: what belongs to the variances is not needed. */
@@ -3803,9 +3704,9 @@ struct ms_gpr_latent {
 typedef struct ms_gpr__embedding {
     const ms_gpr_latent *plane;
     ms_gpr__problem problem;
-    double *weight;                 /* [m][stride] K'^-1 x */
-    double *q, *low;                /* [starts][2 z + 2], [2 z + 2] */
-    double *work;                   /* of the minimizer */
+    double *weight;  /* [m][stride] K'^-1 x */
+    double *q, *low; /* [starts][2 z + 2], [2 z + 2] */
+    double *work;    /* of the minimizer */
     double prior;
     const ms_progress *progress;
     int evaluations;
@@ -4002,7 +3903,7 @@ static ms_status ms_gpr__latent_make(const double *x, int z, int m, const ms_gpr
         p->weight = p->x + (size_t)m * stride;
         memset(p->center, 0, (size_t)m * (1 + 2 * stride) * sizeof *p->center);
         parts.x = parts.y = p->x; /* nothing but zeros yet */
-        status = ms_gpr__make(&parts, &options, NULL, 0, &p->gp, error);
+        status = ms_gpr__make(&parts, &options, &p->gp, error);
         for (k = 0; k < m; ++k) {
             const double *column = x + k;
             for (i = 0; i < z; ++i) p->center[k] += column[(size_t)i * (size_t)m] / z;

@@ -843,8 +843,6 @@ static const struct {
     {run_match, NULL, FIELD(ms_pme_match_options, random_count, 'i'), -1, 0, 5, NONE},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, evaluations, 'i'), -1, 0, 5, NONE},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, tau, 'd'), -0.001, 0, 0.9, 1.001},
-    {run_recommend, NULL, FIELD(ms_gpr_recommend_options, diversity, 'd'), -0.001, 0, 1, 1.001},
-    {run_recommend, NULL, FIELD(ms_gpr_recommend_options, skip, 'i'), -1, 0, 2, NONE},
     {run_recommend, set_threshold, FIELD(ms_gpr_recommend_options, search, 'i'), -1, 0, 2, 3},
     {run_gallery, NULL, FIELD(ms_gpr_gallery_options, kind, 'i'), -1, 0, 1, 2},
     {run_simulate, set_fast, FIELD(ms_mcml_options, roulette_weight, 'd'), -1e-9, 0, 1, 1.0001},
@@ -942,24 +940,6 @@ static void extreme_sizes(void)
     CHECK(ms_sss_shader_levels(65536, 65536) > 0 && ms_sss_shader_levels(1, 1) > 0);
 }
 
-/* The report's spread: mean distance to the nearest other recommendation; there is none of one alone. */
-static void spread_of_few(void)
-{
-    ms_gpr *gp = user_model();
-    ms_gpr_recommend_report report;
-    double x[3 * USER_M], d[3] = {0, 0, 0};
-    int i, k;
-    CHECK_INT(ms_gpr_recommend(gp, NULL, 1, x, NULL, NULL, &report, NULL), MS_OK);
-    CHECK_NEAR(report.spread, 0, 0);
-    CHECK_INT(ms_gpr_recommend(gp, NULL, 3, x, NULL, NULL, &report, NULL), MS_OK);
-    for (i = 0; i < 3; ++i) { /* between i and i + 1; the box is 0 to 1 */
-        for (k = 0; k < USER_M; ++k) d[i] += pow(x[i * USER_M + k] - x[(i + 1) % 3 * USER_M + k], 2) / (double)USER_M;
-        d[i] = sqrt(d[i]);
-    }
-    CHECK_NEAR(report.spread, (fmin(d[0], d[2]) + fmin(d[0], d[1]) + fmin(d[1], d[2])) / 3, 1e-12);
-    ms_gpr_destroy(gp);
-}
-
 static const test_case cases[] = {{"memory: ms_nn.h", memory_nn},
                                   {"memory: ms_sss.h", memory_sss},
                                   {"memory: texts", memory_texts},
@@ -967,7 +947,6 @@ static const test_case cases[] = {{"memory: ms_nn.h", memory_nn},
                                   {"memory: ms_mcml.h", memory_mcml},
                                   {"extreme sizes", extreme_sizes},
                                   {"frozen by equal bounds", frozen_by_equal_bounds},
-                                  {"spread of few", spread_of_few},
                                   {"zero is the default", zero_is_the_default},
                                   {"limits", limits_are_those_stated}};
 TEST_MAIN(cases)

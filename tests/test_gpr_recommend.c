@@ -127,6 +127,23 @@ static int rejection(const ms_gpr *gp, const ms_gpr_space *space, double thresho
     return found;
 }
 
+/* Mean root-mean-square distance of materials x [count][m] to the nearest other one. */
+static double spread_of(const double *x, int count, int m)
+{
+    double sum = 0;
+    int i, j, k;
+    for (i = 0; i < count; ++i) {
+        double nearest = 1e300;
+        for (j = 0; j < count; ++j) {
+            double d2 = 0;
+            for (k = 0; k < m; ++k) d2 += (x[i * m + k] - x[j * m + k]) * (x[i * m + k] - x[j * m + k]) / m;
+            if (j != i) nearest = fmin(nearest, d2);
+        }
+        sum += sqrt(nearest) / count;
+    }
+    return sum;
+}
+
 static ms_gpr_recommend_options recommend_options(void)
 {
     ms_gpr_recommend_options o;
@@ -272,7 +289,8 @@ static void test_searches(void)
             if (search) CHECK_INT(report.search, search);
             CHECK(report.liked > 0 && report.liked < 200);
             CHECK(report.acceptance >= 0 && report.acceptance < 0.3);
-            CHECK(report.candidates >= 4096 && report.spread > 0.05);
+            CHECK(report.candidates >= 4096);
+            CHECK(spread_of(x, 100, 19) > 0.05);
             ms_gpr_predict(t.gp, x, 100, again, variance, NULL);
             for (i = 0; i < 100; ++i) {
                 CHECK(mean[i] >= report.threshold);
@@ -322,9 +340,9 @@ static void test_controls(void)
         CHECK_INT(ms_gpr_recommend(t.gp, &o, 150, x, mean, NULL, &report, NULL), MS_OK);
         for (i = 0; i < 150; ++i) sum += mean[i] / 150;
         CHECK(sum > before);
-        CHECK(report.spread < spread);
+        CHECK(spread_of(x, 150, 19) < spread);
         before = sum;
-        spread = report.spread;
+        spread = spread_of(x, 150, 19);
     }
     taste_free(&t);
 }
@@ -452,13 +470,13 @@ static void test_natural_box(void)
     ms_gpr_destroy(gp);
 }
 
-/* Steps, things to keep away from, pages, and variety as asked for, by both searches. */
+/* Steps, things to keep away from, and more of the same sequence, by both searches. */
 static void test_wishes(void)
 {
     enum { M = 8, COUNT = 60 };
     taste t = taste_make(5, 150, M, 0.15, NULL);
     static const double zero[M] = {0}, one[M] = {1, 1, 1, 1, 1, 1, 1, 1};
-    double x[COUNT * M], more[COUNT * M], steps[M] = {0.25, 0, 0.1, 0, 0, 1, 0, 0.5}, avoid[2 * M], spread[3];
+    double x[COUNT * M], more[COUNT * M], steps[M] = {0.25, 0, 0.1, 0, 0, 1, 0, 0.5}, avoid[2 * M];
     ms_gpr_recommend_report report;
     ms_error error;
     space_wish wish;
@@ -483,14 +501,12 @@ static void test_wishes(void)
         }
         for (i = 0, k = 0; i < 11; ++i) k += seen[i] > 0;
         CHECK(k > 2);            /* several of its eleven values */
-        o = recommend_options(); /* a page is a part of the sequence */
+        o = recommend_options(); /* few are the beginning of many */
         o.search = (ms_gpr_search)search;
         CHECK_INT(ms_gpr_recommend(t.gp, &o, COUNT, x, NULL, NULL, NULL, NULL), MS_OK);
-        o.skip = 20;
         CHECK_INT(ms_gpr_recommend(t.gp, &o, 20, more, NULL, NULL, &report, NULL), MS_OK);
         CHECK_INT(report.found, 20);
-        CHECK(memcmp(more, x + 20 * M, 20 * M * sizeof *x) == 0);
-        o.skip = 0;
+        CHECK(memcmp(more, x, 20 * M * sizeof *x) == 0);
         o.avoid = memcpy(avoid, x, sizeof avoid) ? avoid : NULL;
         o.avoid_count = 2;
         o.avoid_distance = 0.2;
@@ -502,14 +518,6 @@ static void test_wishes(void)
                     d2 += (x[i * M + k] - avoid[j * M + k]) * (x[i * M + k] - avoid[j * M + k]) / (int)M;
                 CHECK(sqrt(d2) >= 0.2);
             }
-        for (i = 0; i < 3; ++i) {
-            o = recommend_options();
-            o.search = (ms_gpr_search)search;
-            o.diversity = 0.5 * i;
-            CHECK_INT(ms_gpr_recommend(t.gp, &o, COUNT, x, NULL, NULL, &report, NULL), MS_OK);
-            spread[i] = report.spread;
-        }
-        CHECK(spread[1] > 1.1 * spread[0] && spread[2] > 1.1 * spread[0]);
     }
     space_free(&kept);
     {
@@ -520,9 +528,9 @@ static void test_wishes(void)
         o.avoid_count = 1;
         CHECK_INT(ms_gpr_recommend(t.gp, &o, 5, x, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
         o.avoid_count = 0;
-        o.diversity = 1.1;
+        o.tau = 1.1;
         CHECK_INT(ms_gpr_recommend(t.gp, &o, 5, x, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
-        CHECK(strstr(error.message, "diversity is 1.1") != NULL);
+        CHECK(strstr(error.message, "tau is 1.1") != NULL);
     }
     taste_free(&t);
 }
@@ -1782,8 +1790,9 @@ static void test_variants(void)
         double top = -1e300, again[12], u;
         CHECK_NEAR(v[i].value, v[i].confidence * (lambda[i] * v[i].similarity + (1 - lambda[i]) * v[i].score / 10),
                    1e-12);
-        if (i) CHECK(v[i].confidence * v[i].similarity >= v[i - 1].confidence * v[i - 1].similarity);
-        if (i) CHECK(v[i].confidence * v[i].score <= v[i - 1].confidence * v[i - 1].score);
+        if (i) CHECK(v[i].confidence * v[i].similarity >= v[i - 1].confidence * v[i - 1].similarity - 1e-14);
+        if (i) /* scores to 10: two searches that end in one place differ by the rounding of a product */
+            CHECK(v[i].confidence * v[i].score <= v[i - 1].confidence * v[i - 1].score + 1e-13);
         CHECK(v[i].confidence > 0.5); /* not where the plane knows nothing */
         CHECK(v[i].latent[0] > p.grid.x0 && v[i].latent[0] < p.grid.x1 && v[i].latent[1] > p.grid.y0 &&
               v[i].latent[1] < p.grid.y1);

@@ -81,15 +81,14 @@ FLAT int flat_gallery(const ms_gpr *taste, int m, int count, int seed, const dou
     return flat_answer(status, &error, why);
 }
 
-/* Materials whose predicted scores (mean [count]) reach tau of the best; diversity from 0 to 1. */
-FLAT int flat_recommend(const ms_gpr *taste, int count, double tau, double diversity, int seed, const double *low,
-                        const double *high, double *x, double *mean, char *why)
+/* Materials whose predicted scores (mean [count]) reach tau of the best. */
+FLAT int flat_recommend(const ms_gpr *taste, int count, double tau, int seed, const double *low, const double *high,
+                        double *x, double *mean, char *why)
 {
     ms_gpr_recommend_options options;
     ms_error error;
     memset(&options, 0, sizeof options);
     options.tau = tau;
-    options.diversity = diversity;
     options.seed = (uint64_t)seed;
     options.space.low = low;
     options.space.high = high;

@@ -1,7 +1,7 @@
 /* Learns a taste from scored materials and recommends new ones.
 
      cc -O2 -I. examples/tools/recommend.c -o build/recommend -lm
-     build/recommend SCORES.csv [--pairs PAIRS.csv] [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S]
+     build/recommend SCORES.csv [--pairs PAIRS.csv] [--count 300] [--skip 0] [--tau 0.6] [--seed S]
                      [--out FILE] [--keep WISH]... [--list LIST.csv]... [--avoid MATERIALS.csv]
 
    SCORES.csv: a material a line, its parameters and its score, in the columns that the header line names: roughness,
@@ -23,10 +23,10 @@
 #include "warnings.h"
 
 static const char usage[] =
-    "usage: recommend SCORES.csv [--pairs PAIRS.csv] [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S] "
+    "usage: recommend SCORES.csv [--pairs PAIRS.csv] [--count 300] [--skip 0] [--tau 0.6] [--seed S] "
     "[--keep WISH]... [--list LIST.csv]... [--avoid MATERIALS.csv] [--out FILE]\n"
     "  PAIRS.csv: lines of two numbers of materials in SCORES.csv, from 1, the preferred one first;\n"
-    "  count: 1 to 1000000; skip: so many of the same seed are left out; tau: above 0, at most 1; diversity: 0 to 1;\n"
+    "  count: 1 to 1000000; skip: so many of the same seed are left out; tau: above 0, at most 1;\n"
     "  WISH: x3=0.5, x3=0.2:0.4, x3=0:1:0.25 (in steps), x3=x4, with the names of the columns;\n"
     "  LIST.csv: rows to choose from below a line of their names\n";
 
@@ -164,11 +164,10 @@ static void summarize(const scores *s, const ms_gpr_recommend_report *report, in
     fprintf(stderr, ".\n%d recommendations ", report->found);
     if (report->search == MS_GPR_SEARCH_VARIANTS) fprintf(stderr, "by variants of what was liked");
     else fprintf(stderr, "of at least %.3g by a threshold", report->threshold);
-    if (report->found > 1) fprintf(stderr, "; mean distance to the nearest other %.3f", report->spread);
     fprintf(stderr, ".\n");
     if (report->search == MS_GPR_SEARCH_VARIANTS) return;
     if (report->acceptance > 0) fprintf(stderr, "One uniform material in %.0f would do.\n", 1 / report->acceptance);
-    else fprintf(stderr, "None of 8192 uniform materials would do.\n");
+    else fprintf(stderr, "None of 4096 uniform materials would do.\n");
 }
 
 int main(int argc, char **argv)
@@ -187,7 +186,7 @@ int main(int argc, char **argv)
     ms_gpr *gp;
     scores s;
     FILE *f = stdout;
-    int i, n, line, scored = 0, *pairs = NULL;
+    int i, n, line, scored = 0, skip = 0, *pairs = NULL;
     file_out saved;
     memset(&report, 0, sizeof report);
     memset(&options, 0, sizeof options);
@@ -201,9 +200,7 @@ int main(int argc, char **argv)
         else if (strcmp(argv[i], "--count") == 0)
             count = number(argv + i++, 1, 1e6, "a whole number from 1 to 1000000");
         else if (strcmp(argv[i], "--skip") == 0)
-            options.skip = (int)number(argv + i++, 0, 1e6, "a whole number from 0 to 1000000");
-        else if (strcmp(argv[i], "--diversity") == 0)
-            options.diversity = number(argv + i++, 0, 1, "a number from 0 to 1");
+            skip = (int)number(argv + i++, 0, 1e6, "a whole number from 0 to 1000000");
         else if (strcmp(argv[i], "--tau") == 0)
             options.tau = number(argv + i++, 1e-6, 1, "a number above 0, at most 1");
         else if (strcmp(argv[i], "--seed") == 0)
@@ -234,17 +231,18 @@ int main(int argc, char **argv)
     options.avoid = avoid;
     learn.choices.rows = pairs;
     for (i = 0; i < s.n; ++i) scored += s.y[i] > SCORES_NONE;
-    n = (int)count;
+    n = (int)count + skip; /* the first of them are left out */
     x = (double *)malloc((size_t)n * (size_t)s.m * sizeof *x);
     mean = (double *)malloc((size_t)n * sizeof *mean);
     sigma = (double *)malloc((size_t)n * sizeof *sigma);
     if (!x || !mean || !sigma) return failed(in, "out of memory", 0);
     status = ms_gpr_fit(s.x, s.y, s.n, s.m, &learn, &gp, &fitted, &error);
     if (status == MS_OK) status = ms_gpr_recommend(gp, &options, n, x, mean, sigma, &report, &error);
-    if (status == MS_NOT_CONVERGED && gp && report.found > 0) { /* there are not so many materials */
+    if (status == MS_NOT_CONVERGED && gp && report.found > skip) { /* there are not so many materials */
         fprintf(stderr, "warning: %s\n", error.message);
         status = MS_OK;
     }
+    report.found = report.found > skip ? report.found - skip : 0;
     if (status != MS_OK) {
         fprintf(stderr, "recommend: %s\n", error.message);
         return 1;
@@ -253,7 +251,7 @@ int main(int argc, char **argv)
         fprintf(stderr, "recommend: %s: %s\n", out, saved.problem);
         return 1;
     }
-    write_csv(f, &s, x, mean, sigma, report.found);
+    write_csv(f, &s, x + (size_t)skip * (size_t)s.m, mean + skip, sigma + skip, report.found);
     if (out && (problem = file_finish(&saved, 1)) != NULL) {
         fprintf(stderr, "recommend: %s: %s\n", out, problem);
         return 1;
@@ -263,7 +261,7 @@ int main(int argc, char **argv)
     summarize(&s, &report, scored, learn.choices.count);
     if (report.search == MS_GPR_SEARCH_THRESHOLD &&
         (of_many = (double *)malloc(EXPLAINED * (size_t)s.m * sizeof *x)) != NULL) {
-        options.skip = 0; /* of a number of its own: ranges of few are narrow by chance */
+        /* of a number of its own: ranges of few are narrow by chance */
         if (ms_gpr_recommend(gp, &options, EXPLAINED, of_many, NULL, NULL, &report, NULL) == MS_OK &&
             explain(gp, of_many, EXPLAINED, &options.space, s.name, 4, why, sizeof why))
             fprintf(stderr, "%s.\n", why);

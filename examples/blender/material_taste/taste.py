@@ -66,11 +66,11 @@ class Taste(_Owner):
         _call("predict", self.handle, x, len(x), mean, variance)
         return mean, np.sqrt(variance)
 
-    def recommend(self, count, quality=0.6, diversity=0.0, seed=1, low=None, high=None):
+    def recommend(self, count, quality=0.6, seed=1, low=None, high=None):
         """Materials whose predicted scores reach `quality` of the best, and these scores."""
         x, mean = np.empty((count, self.m)), np.empty(count)
         box = _box(self.m, low, high)
-        _call("recommend", self.handle, count, float(quality), float(diversity), seed, *box, x, mean)
+        _call("recommend", self.handle, count, float(quality), seed, *box, x, mean)
         return x, mean
 
 
