@@ -276,6 +276,9 @@ typedef struct ms_pme_match_options {
                          finite picture */
     const double *source; /* [n] center of the pulls */
     const double *pull;   /* [n] >= 0: pull (x_j - source_j)^2 is added to RMSE^2; NULL: none */
+    double *deviation;    /* [n] out, or NULL: standard deviations of x for independent errors of the size of the RMSE;
+                             0 where bounds are equal, about 0.29 of the range (uniform) if the picture does not
+                             determine x_j */
 } ms_pme_match_options;
 
 typedef struct ms_pme_match_result {
@@ -284,7 +287,7 @@ typedef struct ms_pme_match_result {
     int best_candidate;   /* predictions come first, then `candidates`, then random ones (or the middle) */
     ms_pme_result refine; /* without the candidates; its value is RMSE^2 and the pulls; steps 0: none was made; stop
                              says why the whole match ended */
-    double cost;          /* in renders: candidates, refinement, the last render; not predictions */
+    double cost;          /* in renders: candidates, refinement, the last render; not predictions and deviations */
 } ms_pme_match_result;
 
 MS_API ms_pme_match_options ms_pme_match_defaults(void); /* all zero */
@@ -297,7 +300,7 @@ MS_API ms_pme_match_options ms_pme_match_defaults(void); /* all zero */
    MS_INVALID_ARGUMENT: as ms_pme_minimize; a target that is not finite, a negative or non-finite weight (position: its
    index), weights that are all 0, no candidate with a finite picture, a reduced function of another target or other
    weights (RMSE off by a thousandth and 1e-5 of the target's root mean square).
-   MS_OUT_OF_MEMORY, or the status of a callback. Outputs are untouched on failure. */
+   MS_OUT_OF_MEMORY, or the status of a callback. Outputs are untouched on failure: x, image, deviation, result. */
 MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *target, const float *weight,
                               const ms_pme_match_options *options, double *x, float *image, ms_pme_match_result *result,
                               ms_error *error);
@@ -569,7 +572,8 @@ typedef struct ms_pme__run {
     double *point;    /* [SOLVERS][2 n] x and scale of the local solvers */
     double *work;     /* workspace of one step */
     ms_pme_result result;
-    int stopped; /* by the budget, a failure or f = 0: no callback follows */
+    int stopped;   /* by the budget, a failure or f = 0: no callback follows */
+    int uncharged; /* evaluations for the standard deviations: outside the budget, and never the best point */
     ms_status status;
     int bad;         /* the parameter by which a derivative is not finite; -1: none */
     uint64_t random; /* state of the generator */
@@ -594,7 +598,7 @@ static int ms_pme__fail(ms_pme__run *run, ms_status status)
 /* Charges the budget before a callback. Non-zero: the run has stopped. */
 static int ms_pme__charge(ms_pme__run *run, double cost)
 {
-    if (run->stopped) return 1;
+    if (run->stopped || run->uncharged) return run->stopped;
     if (run->result.cost + cost > run->max_cost * (1 + 1e-12)) return ms_pme__stop(run, MS_PME_STOP_COST);
     run->result.cost += cost;
     return 0;
@@ -603,6 +607,7 @@ static int ms_pme__charge(ms_pme__run *run, double cost)
 /* Records |r(x)|: keeps the best point and stops at 0. */
 static double ms_pme__record(ms_pme__run *run, const double *x, double norm)
 {
+    if (run->uncharged) return norm;
     if (norm < run->best_norm) {
         run->best_norm = norm;
         ms_pme__copy(run->best, x, run->n);
@@ -1074,11 +1079,12 @@ typedef struct ms_pme__objective {
     const ms_pme_match_options *options;
     const float *target, *weight;
     double weight_sum, size;        /* size: root mean square of the target */
-    size_t m;                       /* residuals without pulls */
+    size_t m, compared;             /* residuals without pulls; values with a weight */
     int n, pool_size, given, total; /* parameters; candidates: kept, given, with the random ones */
     double low[MS_PME_PARAMETERS_MAX], high[MS_PME_PARAMETERS_MAX];
     float *image, *jacobian;  /* [p], [p][n] */
     double *pool, *pool_norm; /* [pool_size + 1][n] the best candidates in order, then workspace; |r| of each */
+    double *deviation;        /* [n] */
 } ms_pme__objective;
 
 /* The arrays of a run, and of a match (o, or NULL); called to count with arena->base NULL, then to place. */
@@ -1103,6 +1109,7 @@ static void ms_pme__layout(ms_pme__run *run, ms_pme__objective *o, ms__arena *ar
     pictures = o->renderer->reduced || run->function->residuals_only ? 0 : ms__size_mul(p, n);
     o->pool = ms_pme__doubles(arena, ((size_t)o->pool_size + 1) * n);
     o->pool_norm = ms_pme__doubles(arena, (size_t)o->pool_size + 1);
+    o->deviation = ms_pme__doubles(arena, n);
     o->image = (float *)ms__take(arena, p, sizeof(float));
     o->jacobian = (float *)ms__take(arena, pictures, sizeof(float));
 }
@@ -1302,10 +1309,11 @@ static ms_status ms_pme__check_match(ms_pme__objective *o, ms_error *error)
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "weight %z is %g, expected a finite number >= 0", i, w);
         if (w > 0 && !ms__finite(t))
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "target %z is %g, expected a finite number", i, t);
+        o->compared += w > 0;
         o->weight_sum += w;
         if (w > 0) o->size += w * t * t;
     }
-    if (!(o->weight_sum > 0)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "every weight is 0: nothing to match");
+    if (o->compared == 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "every weight is 0: nothing to match");
     o->size = sqrt(o->size / o->weight_sum);
     return MS_OK;
 }
@@ -1384,6 +1392,59 @@ static int ms_pme__candidates(ms_pme__run *run, ms_pme__objective *o, ms_pme_mat
     return kept;
 }
 
+/* The triangle of the derivatives at the answer; columns of parameters with equal bounds are 0. */
+static void ms_pme__answer_derivatives(ms_pme__run *run)
+{
+    int j;
+    size_t row;
+    run->stopped = 0;
+    run->uncharged = 1;
+    if (!ms__finite(ms_pme__linearize(run, run->best, MS_PME__INF))) return;
+    for (j = 0; j < run->n; ++j)
+        for (row = 0; row < run->m && !(run->lower[j] < run->upper[j]); ++row)
+            run->jacobian[row * (size_t)run->n + (size_t)j] = 0;
+    ms_pme__factor(run, run->best_norm);
+}
+
+/* Standard deviations of x from that triangle: a linear model with noise of the size of the RMSE in each compared
+   value, and a prior variance of range^2 / 12 for each parameter. The noise is no finer than floats: 1e-7 of the target
+   or of what the strongest parameter does to the picture. */
+static void ms_pme__deviations(ms_pme__run *run, ms_pme__objective *o, double rmse)
+{
+    int n = run->n, w = n + 1, j, k, i;
+    double noise = 1e-7 * o->size, sigma, *variance = o->deviation, *y = run->work, *row = run->work;
+    int idle[MS_PME_PARAMETERS_MAX]; /* a range, and no effect on the picture */
+    for (j = 0; j < n; ++j) {
+        double range = run->upper[j] - run->lower[j];
+        if (ms__finite(range)) /* 1e39: floats end before */
+            noise = ms_pme__max(noise,
+                                1e-7 * ms_pme__clip(range * run->unit[j] * ms_pme__column_norm(run, j), 0, 1e39));
+        variance[j] = 0;
+    }
+    noise = ms_pme__max(noise, rmse);
+    sigma = (noise > 0 ? noise : 1) / sqrt((double)o->compared);
+    for (j = 0; j < n; ++j) { /* one residual sqrt(12) sigma x_j / range for each parameter; squares are numbers */
+        double range = run->upper[j] - run->lower[j], change = range * run->unit[j], prior = sqrt(12.0) * sigma;
+        idle[j] = !(ms_pme__column_norm(run, j) > 0) && ms__finite(range);
+        if (idle[j] || !(range > 0)) prior = 1;
+        else if (!ms__finite(range)) prior = 0;
+        else prior = change > prior * 1e-100 ? ms_pme__max(prior / change, 1e-100) : 1e100;
+        for (k = 0; k < w; ++k) row[k * MS_PME__ROWS] = k == j ? prior : 0;
+        ms_pme__qr_append(run->triangle, n, row, 1);
+    }
+    for (k = 0; k < n; ++k) /* column k of the inverse */
+        for (i = k; i >= 0; --i) {
+            double t = i == k, pivot = run->triangle[i * w + i];
+            for (j = i + 1; j <= k; ++j) t -= run->triangle[i * w + j] * y[j];
+            y[i] = fabs(pivot) > 0 ? t / pivot : 0;
+            variance[i] += y[i] * y[i];
+        }
+    for (j = 0; j < n; ++j) { /* data never widen the prior */
+        double widest = (run->upper[j] - run->lower[j]) / sqrt(12.0);
+        o->deviation[j] = idle[j] ? widest : ms_pme__clip(sigma * sqrt(variance[j]) / run->unit[j], 0, widest);
+    }
+}
+
 /* The picture of the answer and its RMSE, which a reduced function must agree with. */
 static ms_status ms_pme__last_render(ms_pme__run *run, ms_pme__objective *o, ms_pme_match_result *answer,
                                      ms_error *error)
@@ -1457,12 +1518,17 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     if (run.status == MS_OK && !ms__finite(run.best_norm))
         status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "no candidate has a finite picture (%g renders)", answer.cost);
 
-    /* one real render, then the outputs */
+    /* deviations and one real render, then the outputs */
+    if (status == MS_OK && run.status == MS_OK && options->deviation != NULL) ms_pme__answer_derivatives(&run);
     if (run.status != MS_OK) status = ms_pme__failure(&run, error);
     if (status == MS_OK) status = ms_pme__last_render(&run, &o, &answer, error);
     if (status == MS_OK) {
         ms_pme__copy(x, run.best, o.n);
         if (image != NULL) memcpy(image, o.image, renderer->image_size * sizeof *image);
+        if (options->deviation != NULL) {
+            ms_pme__deviations(&run, &o, answer.rmse);
+            ms_pme__copy(options->deviation, o.deviation, o.n);
+        }
         if (result != NULL) *result = answer;
     }
     ms_pme__end(&run);

@@ -119,10 +119,12 @@ static void test_formats(void)
     }
 }
 
-/* What a mask hides does not matter, whether the mask is gray, in color, or the picture's own alpha. */
+/* What a mask hides does not matter, whether the mask is gray, in color, or the picture's own alpha; a mask of a few
+   pixels says what it leaves open. */
 static void test_masks(void)
 {
-    image im = picture(3, 1), rgba = picture(4, 1), gray = image_new(S, S, 1), color = image_new(S, S, 3);
+    image im = picture(3, 1), rgba = picture(4, 1), gray = image_new(S, S, 1), color = image_new(S, S, 3),
+          few = image_new(2 * S, 2 * S, 1);
     double x[N], first[N];
     int i, c;
     if (!have_tool()) SKIP("build/match is not there; make builds it");
@@ -135,10 +137,12 @@ static void test_masks(void)
         }
         rgba.pixels[4 * i + 3] = (float)!hidden;
     }
+    for (i = 0; i < 4; ++i) few.pixels[2 * S * (6 + i / 2) + 8 + i % 2] = 1;
     image_write(FOLDER "seen.ppm", &im);
     image_write(FOLDER "seen.png", &rgba);
     image_write(FOLDER "mask.pgm", &gray);
     image_write(FOLDER "mask.png", &color);
+    image_write(FOLDER "few.png", &few);
     answer(FOLDER "seen.ppm --weights " FOLDER "mask.pgm", first);
     answer(FOLDER "seen.ppm --weights " FOLDER "mask.png", x);
     CHECK(memcmp(x, first, sizeof x) == 0);
@@ -149,10 +153,13 @@ static void test_masks(void)
     image_write(FOLDER "seen.ppm", &im);
     answer(FOLDER "seen.ppm --weights " FOLDER "mask.pgm", x);
     CHECK(memcmp(x, first, sizeof x) == 0);
+    answer(FOLDER "seen.ppm --weights " FOLDER "few.png", x); /* three values for 19 parameters */
+    CHECK(strstr(said, "hardly determines: 0, 1, 2") != NULL);
     image_free(&im);
     image_free(&rgba);
     image_free(&gray);
     image_free(&color);
+    image_free(&few);
 }
 
 /* Names of a header line come back, in what is printed and in what is written. */
@@ -202,6 +209,7 @@ static void test_sequences_and_views(void)
         k += fabs(x[i] - start[i]) > 0.0499;
     }
     CHECK(k > 5); /* another picture: it goes as far as it may */
+    CHECK(strstr(said, "standard deviations: ") != NULL);
     CHECK(answer(FOLDER "a.ppm --start " FOLDER "last.csv --change 0", x) > 0);
     for (i = 0; i < N; ++i) CHECK_NEAR(x[i], start[i], 1e-6);
     CHECK_INT(run(FOLDER "a.ppm --change 0.1"), 2);

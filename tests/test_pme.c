@@ -1190,6 +1190,55 @@ static void test_reduced(void)
     TEST_NOTE("rmse %.9g direct, %.9g collapsed, x differs by %.1e", direct.rmse, reduced.rmse, worst);
 }
 
+/* The standard deviations of a match are the diagonal of (J'J / sigma^2 + 12 I)^-1, sigma the RMSE of the answer: here
+   by Gauss and Jordan. Two parameters that count only by their sum have half the variance of a uniform one each. One
+   that is locked has 0, and is no unknown to the others, whatever it does to the picture. */
+static void test_deviations(void)
+{
+    renderer_state s;
+    ms_pme_renderer r;
+    ms_pme_match_options options = ms_pme_match_defaults();
+    ms_pme_match_result result;
+    float target[P], image[P], jacobian[P * N];
+    double x[N], deviation[N], a[N][2 * N];
+    uint64_t state = 12;
+    int i, j, k, way;
+    enum { ALL_FREE, TWO_BY_THEIR_SUM, ONE_LOCKED, WAYS };
+    const int locked = 2;
+    for (way = 0; way < WAYS; ++way) {
+        double low[N] = {0}, high[N] = {1, 1, 1, 1, 1, 1};
+        renderer_make(&s);
+        for (i = 0; i < H && way == TWO_BY_THEIR_SUM; ++i) s.w1[i][4] = s.w1[i][3];
+        r = renderer_of(&s);
+        if (way == ONE_LOCKED) low[locked] = high[locked] = truth[locked];
+        r.lower = low;
+        r.upper = high;
+        render(&s, truth, target);
+        for (i = 0; i < P; ++i) target[i] += (float)(1e-3 * test_normal(&state));
+        options.candidates = truth;
+        options.candidate_count = 1;
+        options.deviation = deviation;
+        CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &result, NULL), MS_OK);
+        render_jacobian(&s, x, image, jacobian);
+        for (k = 0; k < P && way == ONE_LOCKED; ++k) jacobian[k * N + locked] = 0;
+        for (i = 0; i < N; ++i)
+            for (j = 0; j < 2 * N; ++j) {
+                a[i][j] = j == i ? 12 : j == i + N;
+                for (k = 0; k < P && j < N; ++k)
+                    a[i][j] += (double)jacobian[k * N + i] * (double)jacobian[k * N + j] / (result.rmse * result.rmse);
+            }
+        for (k = 0; k < N; ++k)
+            for (i = 0; i < N; ++i) {
+                double t = a[i][k] / a[k][k];
+                for (j = 0; j < 2 * N && i != k; ++j) a[i][j] -= t * a[k][j];
+            }
+        for (j = 0; j < N; ++j) /* derivatives in float32 */
+            CHECK_NEAR(deviation[j], way == ONE_LOCKED && j == locked ? 0 : sqrt(a[j][N + j] / a[j][j]),
+                       1e-5 * deviation[j]);
+        for (j = 3; j < 5 && way == TWO_BY_THEIR_SUM; ++j) CHECK_NEAR(deviation[j], sqrt(1 / 24.0), 1e-3);
+    }
+}
+
 /* Random candidates are uniform in the box, all different, others for another seed, and the best of them is taken. */
 typedef struct recorder {
     renderer_state s;
@@ -1555,14 +1604,14 @@ static ms_status units_jacobian(void *user, const double *y, float *image, float
 }
 
 /* A match takes the same way whatever the units of the parameters: ranges by powers of two leave every rounding as it
-   is but those of the bounds' differences. Restarts too. */
+   is but those of the bounds' differences. Restarts and deviations too. */
 static void test_units(void)
 {
     static const double from[N] = {-1, 3, 0, -8, 0.25, -64}, range[N] = {2, 0.5, 8, 16, 0.125, 128};
     in_units u;
     ms_pme_renderer r;
     float target[P];
-    double x[2][N], low[N], high[N], candidate[2 * N], rmse[2], moved = 0;
+    double x[2][N], deviation[2][N], low[N], high[N], candidate[2 * N], rmse[2], moved = 0;
     int units, restarts, budget, i, j;
     uint64_t state = 3;
     renderer_make(&u.s);
@@ -1590,13 +1639,18 @@ static void test_units(void)
                 options.candidate_count = 2;
                 options.refine.max_cost = budget;
                 options.refine.restarts = 4 * restarts;
+                options.deviation = deviation[units];
                 CHECK_INT(ms_pme_match(&r, target, NULL, &options, x[units], NULL, &result, NULL), MS_OK);
                 CHECK_NEAR(result.cost, result.refine.cost + 3, 1e-9); /* two candidates and the last render */
                 rmse[units] = result.rmse;
                 memcpy(x[units], plain_units(&u, x[units]), sizeof x[units]);
-                for (j = 0; j < N; ++j) moved = fmax(moved, fabs(x[units][j] - 0.75));
+                for (j = 0; j < N; ++j) {
+                    deviation[units][j] /= u.range[j];
+                    moved = fmax(moved, fabs(x[units][j] - 0.75));
+                }
             }
             CHECK_NEAR(rmse[0], rmse[1], 1e-9 * rmse[0]);
+            for (j = 0; j < N; ++j) CHECK_NEAR(deviation[0][j], deviation[1][j], 1e-5 * deviation[0][j]);
         }
     CHECK(moved > 0.1);
 }
@@ -1667,7 +1721,7 @@ static void test_control(void)
     ms_pme_match_options options = ms_pme_match_defaults();
     ms_pme_match_result result;
     float target[P];
-    double x[N], low[N], high[N], source[N], pull[N], free_rmse;
+    double x[N], low[N], high[N], source[N], pull[N], deviation[N], free_rmse, sum = 0;
     int i, j;
     ms_error error;
     uint64_t state = 5;
@@ -1678,18 +1732,29 @@ static void test_control(void)
     options.candidate_count = 1;
     options.refine.max_cost = 500;
     for (i = 0; i < P; ++i) target[i] += (float)(0.05 * test_normal(&state));
+    options.deviation = deviation;
     CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &result, NULL), MS_OK);
     free_rmse = result.rmse;
-    { /* frozen where it is: the others stay as well */
-        double y[N], at_low[N], at_high[N];
+    for (j = 0; j < N; ++j) {
+        CHECK(deviation[j] > 0 && deviation[j] <= 1 / sqrt(12.0));
+        sum += (x[j] - truth[j]) * (x[j] - truth[j]) / (deviation[j] * deviation[j]);
+    }
+    sum /= (double)N;
+    CHECK(sum > 0.05 && sum < 5); /* chi-square of 6: beyond these once in some thousand seeds */
+    TEST_NOTE("errors over deviations: %.2f", sqrt(sum));
+    { /* frozen where it is: the others are known no worse than before */
+        double y[N], known[N], at_low[N], at_high[N];
         for (j = 0; j < N; ++j) {
             at_low[j] = j == 2 ? x[2] : 0;
             at_high[j] = j == 2 ? x[2] : 1;
         }
         r.lower = at_low;
         r.upper = at_high;
+        options.deviation = known;
         CHECK_INT(ms_pme_match(&r, target, NULL, &options, y, NULL, &result, NULL), MS_OK);
         CHECK_NEAR(result.rmse, free_rmse, 1e-6 * free_rmse);
+        for (j = 0; j < N; ++j) CHECK(known[j] <= deviation[j] * (1 + 1e-4) && (j == 2) == !(known[j] > 0));
+        options.deviation = deviation;
     }
     /* frozen: equal bounds */
     for (j = 0; j < N; ++j) {
@@ -1702,6 +1767,7 @@ static void test_control(void)
     r.upper = high;
     CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &result, NULL), MS_OK);
     CHECK_NEAR(x[2], 0.7, 0);
+    CHECK_NEAR(deviation[2], 0, 0);
     CHECK(result.rmse > free_rmse);
     /* pulled */
     r.lower = r.upper = NULL;
@@ -1866,7 +1932,7 @@ static void test_any_ranges(void)
     in_units u;
     ms_pme_renderer r;
     float target[P];
-    double low[N], high[N], plain[N], candidate[N], worst = 0;
+    double low[N], high[N], deviation[N], plain[N], candidate[N], worst = 0;
     uint64_t state = 78 + test_seed;
     int round, j, jacobian;
     renderer_make(&u.s);
@@ -1894,15 +1960,88 @@ static void test_any_ranges(void)
             options.candidates = candidate;
             options.candidate_count = 1;
             options.refine.max_cost = 300;
+            options.deviation = deviation;
             CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &result, NULL), MS_OK);
             CHECK_LE(result.rmse, jacobian ? 1e-5 : 2e-3); /* forward differences of a thousandth */
             memcpy(plain, plain_units(&u, x), sizeof plain);
-            for (j = 0; j < N; ++j) worst = fmax(worst, fabs(plain[j] - truth[j]));
+            for (j = 0; j < N; ++j) {
+                CHECK(deviation[j] >= 0 && deviation[j] <= 0.3 * u.range[j]);
+                worst = fmax(worst, fabs(plain[j] - truth[j]));
+            }
             if (first < 0) first = result.rmse;
         }
     }
     CHECK_LE(worst, 0.05);
     TEST_NOTE("largest error %.1e of the range", worst);
+}
+
+/* Deviations where some ranges are next to nothing or next to everything: the picture does not depend on those
+   parameters, which must not change the deviations of the others. */
+typedef struct lone_ranges {
+    double low[N], range[N], slope[P][N];
+    int dead[N];
+} lone_ranges;
+static ms_status lone_render(void *user, const double *x, float *image)
+{
+    const lone_ranges *s = (const lone_ranges *)user;
+    int i, j;
+    for (i = 0; i < P; ++i) {
+        double sum = 0;
+        for (j = 0; j < N; ++j) sum += s->dead[j] ? 0 : s->slope[i][j] * (x[j] - s->low[j]) / s->range[j];
+        image[i] = (float)sum;
+    }
+    return MS_OK;
+}
+static ms_status lone_jacobian(void *user, const double *x, float *image, float *jacobian)
+{
+    const lone_ranges *s = (const lone_ranges *)user;
+    int i, j;
+    for (i = 0; i < P; ++i)
+        for (j = 0; j < N; ++j) jacobian[i * N + j] = (float)(s->dead[j] ? 0 : s->slope[i][j] / s->range[j]);
+    return lone_render(user, x, image);
+}
+static void test_lone_ranges(void)
+{
+    static const double extreme[] = {
+        4.9406564584124654e-324, 1e-323, 1e-310, 2.2250738585072014e-308, 1e-170, 1e170, 1e307};
+    uint64_t state = 91 + test_seed;
+    int round, part, i, j;
+    for (round = 0; round < 40; ++round) {
+        lone_ranges s;
+        ms_pme_renderer r = ms_pme_renderer_defaults();
+        double low[N], high[N], deviation[2][N], x[N];
+        float target[P];
+        for (i = 0; i < P; ++i)
+            for (j = 0; j < N; ++j) s.slope[i][j] = test_uniform(&state) - 0.5;
+        for (j = 0; j < N; ++j) {
+            s.dead[j] = test_uniform(&state) < 0.4;
+            s.low[j] = low[j] = 0;
+            s.range[j] = s.dead[j] ? extreme[(int)(7 * test_uniform(&state))] : log_uniform(&state, -20, 20);
+        }
+        for (j = 0; j < N; ++j) x[j] = s.range[j] * 0.6;
+        lone_render(&s, x, target);
+        for (i = 0; i < P; ++i) target[i] += (float)((round % 2) * 1e-3 * test_normal(&state)); /* or an exact match */
+        r.parameter_count = N;
+        r.image_size = P;
+        r.user = &s;
+        r.lower = low;
+        r.upper = high;
+        r.render = lone_render;
+        r.jacobian = round % 4 < 2 ? lone_jacobian : NULL;
+        for (part = 0; part < 2; ++part) { /* the odd ranges, then none */
+            ms_pme_match_options options = ms_pme_match_defaults();
+            for (j = 0; j < N; ++j) high[j] = s.dead[j] && part ? 0 : s.range[j];
+            options.candidates = x;
+            options.candidate_count = 1;
+            options.initial_only = 1;
+            options.deviation = deviation[part];
+            CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, NULL, NULL), MS_OK);
+        }
+        for (j = 0; j < N; ++j) {
+            if (s.dead[j]) CHECK_NEAR(deviation[0][j], s.range[j] / sqrt(12.0), 1e-9 * s.range[j] + 5e-324);
+            else CHECK_NEAR(deviation[0][j], deviation[1][j], 1e-6 * deviation[1][j]); /* the same triangle, turned */
+        }
+    }
 }
 
 /* Far more parameters than residuals: after the first columns of the factorization only rounding of rounding is left. */
@@ -1990,7 +2129,7 @@ static void test_every_failure(void)
             ms_pme_function reduced;
             ms_pme_match_options options = ms_pme_match_defaults();
             ms_pme_match_result result;
-            double x[N];
+            double x[N], deviation[N];
             float image[P];
             ms_error error;
             ms_status status;
@@ -2005,10 +2144,12 @@ static void test_every_failure(void)
             r.predict = fragile_predict;
             r.prediction_count = 3;
             if (kind == 2) r.reduced = &reduced;
+            options.deviation = deviation;
             options.refine.restarts = 2;
             options.random_count = 2;
             options.refine.max_cost = 40;
             memset(x, 7, sizeof x);
+            memset(deviation, 7, sizeof deviation);
             memset(image, 7, sizeof image);
             memset(&result, 7, sizeof result);
             f.calls = 0;
@@ -2017,7 +2158,8 @@ static void test_every_failure(void)
             if (status == MS_OK) break;
             CHECK_INT(status, MS_CANCELLED);
             CHECK_INT(error.status, MS_CANCELLED);
-            for (j = 0; j < (int)sizeof x; ++j) CHECK(((char *)x)[j] == 7 && image[j % P] > 0 && image[j % P] < 1e-30f);
+            for (j = 0; j < (int)sizeof x; ++j)
+                CHECK(((char *)x)[j] == 7 && ((char *)deviation)[j] == 7 && image[j % P] > 0 && image[j % P] < 1e-30f);
             for (j = 0; j < (int)sizeof result; ++j) CHECK(((char *)&result)[j] == 7);
         }
         CHECK(call > 20);
@@ -2166,6 +2308,38 @@ static void test_largest_counts(void)
     CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &result, NULL), MS_INVALID_ARGUMENT);
 }
 
+/* A target of zeros that is reached: a parameter without effect is as uncertain as a uniform one, one with an effect is
+   certain. */
+static ms_status dim(void *user, const double *x, float *image)
+{
+    int i;
+    for (i = 0; i < 8; ++i) image[i] = (float)(*(const double *)user * x[0] * (i + 1));
+    return MS_OK;
+}
+static void test_black_target(void)
+{
+    static const double strength[] = {0, 1e-20, 0.1, 1e5};
+    static const float black[8] = {0};
+    static const double candidate[2] = {0, 0.5};
+    size_t k;
+    for (k = 0; k < 4; ++k) {
+        ms_pme_renderer r = ms_pme_renderer_defaults();
+        ms_pme_match_options options = ms_pme_match_defaults();
+        double x[2], deviation[2], user = strength[k];
+        r.user = &user;
+        r.parameter_count = 2;
+        r.image_size = 8;
+        r.render = dim;
+        options.candidates = candidate;
+        options.candidate_count = 1;
+        options.deviation = deviation;
+        CHECK_INT(ms_pme_match(&r, black, NULL, &options, x, NULL, NULL, NULL), MS_OK);
+        CHECK_NEAR(deviation[1], sqrt(1 / 12.0), 1e-6);
+        if (k == 0) CHECK_NEAR(deviation[0], sqrt(1 / 12.0), 1e-6);
+        else CHECK_LE(deviation[0], 1e-6);
+    }
+}
+
 /* Random points fill a box whose range is beyond doubles. */
 static double spread_low, spread_high;
 static int spread_points[4];
@@ -2206,11 +2380,12 @@ static void every_call(void *context)
     ms_pme_match_options options = ms_pme_match_defaults();
     static float target[P];
     static problem p;
-    static double x[64];
+    static double x[64], deviation[64];
     ms_pme_function f = function_of(&p, 60, 60, broyden_tridiagonal);
     render(s, truth, target);
     options.refine.restarts = 3;
     options.random_count = 3;
+    options.deviation = deviation;
     ms_pme_match(&r, target, NULL, &options, x, NULL, NULL, NULL);
     {
         ms_pme_options o = ms_pme_defaults();
@@ -2246,6 +2421,7 @@ static const test_case cases[] = {{"published minima", test_published},
                                   {"match, budget", test_match_budget},
                                   {"match, arguments", test_match_arguments},
                                   {"reduced objective", test_reduced},
+                                  {"deviations", test_deviations},
                                   {"random candidates", test_random_candidates},
                                   {"repeatable", test_repeatable},
                                   {"allocation failures", test_allocation},
@@ -2262,11 +2438,13 @@ static const test_case cases[] = {{"published minima", test_published},
                                   {"the reason of a stop", test_stop},
                                   {"any units", test_any_units},
                                   {"any ranges", test_any_ranges},
+                                  {"ranges of denormals", test_lone_ranges},
                                   {"more parameters than residuals", test_wide},
                                   {"every failure", test_every_failure},
                                   {"the first guess", test_first_guess},
                                   {"default budget", test_default_budget},
                                   {"largest counts", test_largest_counts},
+                                  {"black target", test_black_target},
                                   {"a box beyond doubles", test_huge_box},
                                   {"stack", test_stack_use}};
 TEST_MAIN(cases)

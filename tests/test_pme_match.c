@@ -287,7 +287,7 @@ static void test_light_found(void)
     static const double gain[3] = {1.5, 1.2, 0.8}, offset[3] = {0, 0.1, 0.2};
     static matcher m;
     static float target[3 * 16 * 16], picture[3 * 16 * 16];
-    double truth[7], x[7];
+    double truth[7], x[7], deviation[7];
     ms_pme_match_options options = ms_pme_match_defaults();
     ms_pme_match_result result;
     matcher_found found;
@@ -299,6 +299,7 @@ static void test_light_found(void)
     for (j = 0; j < 7; ++j) truth[j] = 0.3 + 0.07 * j;
     options.refine.max_cost = 1000;
     options.refine.restarts = 20;
+    options.deviation = deviation;
     for (kind = 0; kind < 3; ++kind) { /* nothing; one gain; all of it */
         CHECK_INT(m.renderer.render(&m, truth, target), MS_OK);
         for (i = 0; i < p; ++i) {
@@ -318,6 +319,7 @@ static void test_light_found(void)
             CHECK_NEAR(found.offset[c], kind == 2 ? offset[c] : 0, 0.03);
         }
         for (i = 0; i < p; ++i) CHECK_NEAR((double)picture[i], (double)target[i], 1e-2);
+        for (j = 0; j < 7; ++j) CHECK(deviation[j] > 0 && deviation[j] < 0.3);
     }
     matcher_close(&m);
 }
@@ -755,7 +757,7 @@ static void test_views(void)
     matcher_views v;
     network n;
     ms_error error;
-    double x[3][6];
+    double x[3][6], deviation[3][6];
     int k, j;
     size_t i, p[2];
     memset(&n, 0, sizeof n);
@@ -774,6 +776,7 @@ static void test_views(void)
         ms_pme_match_options options = ms_pme_match_defaults();
         ms_pme_match_result result;
         options.refine.max_cost = 3000;
+        options.deviation = deviation[k];
         CHECK_INT(matcher_views_aim(&v, view, k == 2 ? 1 : 2, target, weight, &error), MS_OK);
         CHECK_INT(v.renderer.reduced != NULL, 1);
         if (k == 1) v.renderer.reduced = NULL;
@@ -782,9 +785,11 @@ static void test_views(void)
         CHECK_INT(ms_pme_match(&v.renderer, target, weight, &options, x[k], picture, &result, &error), MS_OK);
         CHECK_INT(v.renderer.image_size, k == 2 ? p[0] : p[0] + p[1]);
     }
-    for (j = 0; j < 6; ++j)
+    for (j = 0; j < 6; ++j) {
         CHECK_NEAR(x[0][j], x[1][j], 1e-4); /* as free as the rounding of pictures in floats leaves it */
-    CHECK(apart(x[0], x[2], 6) > 1e-4);     /* the second one counts */
+        CHECK_NEAR(deviation[0][j], deviation[1][j], 1e-3 * deviation[1][j]);
+    }
+    CHECK(apart(x[0], x[2], 6) > 1e-4); /* the second one counts */
     CHECK_INT(matcher_views_aim(&v, view, 9, target, NULL, &error), MS_INVALID_ARGUMENT);
     matcher_close(&m[1]);
     CHECK_INT(matcher_open(&m[1], renderer(5, 16, 20, "linear"), &error), MS_OK);

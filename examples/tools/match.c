@@ -17,7 +17,7 @@
    another picture of the same material, by a renderer of its own (another view, light or size), up to seven; all count
    in one objective, without --weights, --robust, --align, --exposure and --tint. The parameters go to CSV as a line of
    names and a row: the names of the renderer's metadata "ms_parameters" (separated by commas), else those of X.csv. The
-   PNG has gain and offset applied. The line of the verdict says how good the match is; the exit code is 3, with all files
+   PNG has gain and offset applied. The last line but two says how good the match is; the exit code is 3, with all files
    written, where the renderer can draw nothing like the picture, or nothing nearer than one color. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
@@ -169,6 +169,23 @@ static int freeze(const char *list, const char *names, int n, const double *sour
     }
 }
 
+/* The standard deviations, and the parameters that the picture leaves open: errors of the size of the RMSE in every
+   value would move them by more than a tenth of their range. */
+static void print_open(const double *deviation, int n, const char *names)
+{
+    char name[64];
+    int i, count = 0;
+    for (i = 0; i < n; ++i) printf("%s%.4f", i ? " " : "standard deviations: ", deviation[i]);
+    printf("\n");
+    for (i = 0; i < n; ++i)
+        if (!(deviation[i] < 0.1)) {
+            name_of(names, i, name, sizeof name);
+            printf("%s%d%s%s", count++ ? ", " : "parameters that the picture hardly determines: ", i, *name ? " " : "",
+                   name);
+        }
+    if (count) printf("\n");
+}
+
 int main(int argc, char **argv)
 {
     static const char *const stop[] = {"converged", "cost spent"};
@@ -181,7 +198,8 @@ int main(int argc, char **argv)
     const char *problem, *names, *frozen = NULL, *view[2 * matcher_views_max];
     matcher *all[matcher_views_max];
     double low[MS_PME_PARAMETERS_MAX], high[MS_PME_PARAMETERS_MAX], pulls[MS_PME_PARAMETERS_MAX],
-        pull = 0, change = 1, x[MS_PME_PARAMETERS_MAX], source[MS_PME_PARAMETERS_MAX], cost = 50, seconds;
+        pull = 0, change = 1, deviation[MS_PME_PARAMETERS_MAX], x[MS_PME_PARAMETERS_MAX], source[MS_PME_PARAMETERS_MAX],
+        cost = 50, seconds;
     ms_pme_match_options options = ms_pme_match_defaults();
     ms_pme_match_result result;
     matcher_found found;
@@ -294,6 +312,7 @@ int main(int argc, char **argv)
     options.refine.restarts = 1000; /* while cost is left: from the other first guesses, then from random points */
     options.candidates = source;
     options.candidate_count = start != NULL;
+    options.deviation = deviation;
     if (count == 1) {
         status = matcher_match(&m, target, weight, &options, flags, x, picture, &result, &found, &error);
     } else {
@@ -327,6 +346,7 @@ int main(int argc, char **argv)
         printf("gain %.3f %.3f %.3f, offset %.3f %.3f %.3f, applied to the PNG\n", found.gain[0], found.gain[1],
                found.gain[2], found.offset[0], found.offset[1], found.offset[2]);
     if (flags & MATCHER_ALIGN) printf("the target lies %.2f pixels right, %.2f down\n", found.shift[0], found.shift[1]);
+    print_open(deviation, n, names);
     for (i = 0; i < n && names; ++i) {
         char name[64];
         name_of(names, i, name, sizeof name);

@@ -720,25 +720,28 @@ static inline ms_status matcher__match(const matcher *m, const ms_pme_renderer *
     const size_t n = (size_t)m->renderer.parameter_count, wide = (size_t)m->lit.parameter_count,
                  count = (size_t)options->candidate_count;
     ms_pme_match_options lit = *options;
-    double *z, *source, *pull, *candidates;
+    double *z, *source, *pull, *deviation, *candidates;
     size_t i, j;
     ms_status status;
     for (i = 0; i < 3; ++i) found->gain[i] = 1, found->offset[i] = 0;
     if (m->gains == 0) return ms_pme_match(renderer, target, weight, options, x, picture, result, error);
-    z = (double *)calloc((count + 3) * wide, sizeof(double));
+    z = (double *)calloc((count + 4) * wide, sizeof(double));
     if (z == NULL) return matcher__fail(error, MS_OUT_OF_MEMORY, "match", ms_status_string(MS_OUT_OF_MEMORY));
     source = z + wide;
     pull = source + wide;
-    candidates = pull + wide;
+    deviation = pull + wide;
+    candidates = deviation + wide;
     for (j = 0; j < n && options->pull; ++j) source[j] = options->source[j], pull[j] = options->pull[j];
     for (j = n; j < wide; ++j) pull[j] = MATCHER__LIGHT_PULL;
     for (i = 0; i < count; ++i) memcpy(candidates + i * wide, options->candidates + i * n, n * sizeof *z);
     lit.source = source;
     lit.pull = pull;
+    lit.deviation = options->deviation ? deviation : NULL;
     lit.candidates = candidates;
     status = ms_pme_match(renderer, target, weight, &lit, z, picture, result, error);
     if (status == MS_OK) {
         memcpy(x, z, n * sizeof *x);
+        if (options->deviation) memcpy(options->deviation, deviation, n * sizeof *x);
         matcher__light_at(m, z, found->gain, found->offset);
     }
     free(z);

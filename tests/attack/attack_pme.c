@@ -125,8 +125,8 @@ static void family_minimize(void)
     begin = square(clipped);
     attack_say("n %d, m %d, kind %d, bounds %d, differences %d, cost of a jacobian %.4g, max_cost %.6g, "
                "tolerance %.3g, restarts %d, fails at %d, unit 0 %.4g, f at the start %.9g",
-               q.n, q.m, q.kind, q.bounds, f.residuals_only, f.jacobian_cost, o.max_cost, o.tolerance, o.restarts,
-               q.fail_at, q.unit[0], begin);
+               q.n, q.m, q.kind, q.bounds, f.residuals_only, f.jacobian_cost, o.max_cost, o.tolerance,
+               o.restarts, q.fail_at, q.unit[0], begin);
     memset(&result, 0x55, sizeof result);
     status = ms_pme_minimize(&f, &o, x, &result, &error);
     if (status != MS_OK) {
@@ -238,7 +238,7 @@ static void family_match(void)
     ms_error error = attack_no_error();
     ms_status status;
     float target[PIXELS], image[PIXELS], check[PIXELS];
-    double x[16], hidden[16], candidates[5 * 16], source[16], pull[16], v;
+    double x[16], hidden[16], candidates[5 * 16], deviation[16], source[16], pull[16], v;
     uint64_t state;
     int i, j, with_weight = attack_one_in(3);
     memset(&q, 0, sizeof q);
@@ -287,20 +287,24 @@ static void family_match(void)
         o.source = source;
         o.pull = pull;
     }
+    if (attack_one_in(2)) o.deviation = deviation;
     if (attack_one_in(6)) q.fail_at = (int)attack_int(1, 60);
     q.failure = attack_one_in(2) ? MS_CANCELLED : MS_IO;
     attack_say(
         "n %d, %d pixels, jacobian %d, predictions %d, candidates %d, random %d, initial only %d, max_cost %.5g, "
-        "weights %d, pulls %d, NaN %d, fails at %d, box 0 of %.6g",
+        "weights %d, pulls %d, deviations %d, NaN %d, fails at %d, box 0 of %.6g",
         q.n, q.m, r.jacobian != NULL, predictions, o.candidate_count, o.random_count, o.initial_only, o.refine.max_cost,
-        with_weight, o.pull != NULL, q.kind, q.fail_at, q.upper[0] - q.lower[0]);
-    for (j = 0; j < 16; ++j) x[j] = 7e77;
+        with_weight, o.pull != NULL, o.deviation != NULL, q.kind, q.fail_at,
+        q.upper[0] - q.lower[0]);
+    for (j = 0; j < 16; ++j) x[j] = deviation[j] = 7e77;
     for (i = 0; i < PIXELS; ++i) image[i] = 7e7f;
     memset(&result, 0x55, sizeof result);
     status = ms_pme_match(&r, target, with_weight ? weight : NULL, &o, x, image, &result, &error);
     if (status != MS_OK) {
         attack_check_error(status, &error);
-        for (j = 0; j < 16; ++j) ATTACK_CHECK(x[j] == 7e77, "output touched on failure: x (%s)", error.message);
+        for (j = 0; j < 16; ++j)
+            ATTACK_CHECK(x[j] == 7e77 && deviation[j] == 7e77, "output touched on failure: x or deviation (%s)",
+                         error.message);
         for (i = 0; i < q.m; ++i) ATTACK_CHECK(image[i] == 7e7f, "output touched on failure: image");
         for (i = 0; i < (int)sizeof result; ++i)
             ATTACK_CHECK(((unsigned char *)&result)[i] == 0x55, "output touched on failure: result");
@@ -325,6 +329,12 @@ static void family_match(void)
         ATTACK_CHECK(fabs(result.rmse - result.rmse_initial) <= 1e-5 * v + 1e-7,
                      "another rmse of the candidate: %.9g for %.9g", result.rmse_initial, result.rmse);
     ATTACK_CHECK(result.best_candidate >= 0, "no best candidate: %d", result.best_candidate);
+    if (o.deviation)
+        for (j = 0; j < q.n; ++j) {
+            const double range = q.upper[j] - q.lower[j];
+            ATTACK_CHECK(deviation[j] >= 0 && deviation[j] <= 0.2887 * range * 1.0001 + 1e-300,
+                         "a deviation: %.6g of a range of %.6g", deviation[j], range);
+        }
 }
 
 int main(int argc, char **argv)
