@@ -1570,7 +1570,8 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
 }
 
 /* s = -1/2 d log |I + K W| / df = 1/2 sum over j, k of C_jk d^3 log p / df df_j df_k, at the latent values; C
-   [n][stride]. by_s [stride], by_noise: the derivatives of l' and of the whole by log sn. For a choice with q_j = C_jj - 2 (C p)_j: W = (diag(p) - p p') / s^2, dp_j/df_i = p_j (delta_ij - p_i) / s. */
+   [n][stride]. by_s [stride], by_noise: the derivatives of l' and of the whole by log sn. For a choice with
+   q_j = C_jj - 2 (C p)_j: W = (diag(p) - p p') / s^2, dp_j/df_i = p_j (delta_ij - p_i) / s. */
 static void ms_gpr__laplace_third(ms_gpr__problem *p, double noise, const double *covariance, double *third,
                                   double *by_s, double *by_noise)
 {
