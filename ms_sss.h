@@ -5887,6 +5887,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const
 #undef MS_SSS__BODY
 #undef MS_SSS__SCALAR
 #undef MS_SSS__REFUSE
+#undef MS_SSS__REFUSE_AT
 #undef MS_SSS__INLINE
 #undef MS_SSS__NOINLINE
 #undef MS_SSS__COLD

@@ -91,7 +91,7 @@ static ms_status make_profile(int material, const double *own)
 
 /* A kernel (rough: its errors are not measured; taps 0: as few as show no bands): material; -1 and numbers 0 to 5,
    color and mean free paths in mm; -2 and numbers 0 and 1, melanin and blood of skin; its place on the screen by pixels
-   a millimeter of material. Numbers then: 0 to 6 errors, 7 taps, 8 radius in mm, 9 radius in pixels, 10 to 12
+   a millimeter of material. Numbers then: 0 to 4 ms_sss_errors, 7 taps, 8 radius in mm, 9 radius in pixels, 10 to 12
    reflectance, 13 to 15 decay; from 64 on CURVE rows of r, R_d in three channels, x, a_p in three channels. */
 CALL(int, design, (int material, int taps, int model, double pixels_per_mm, int rough))
 {

@@ -68,7 +68,7 @@ const calls = {
     const t = performance.now();
     check(wasm.design(material, taps, model, pixels, rough ? 1 : 0));
     const spent = performance.now() - t, n = numbers(0, 16), curves = numbers(64, 8 * 96), count = wasm.taps();
-    const result = { errors: { texture: n[0 + 5], vertical: n[0], diagonal: n[1], dot: n[4], bands: n[6] }, taps: count, radius: n[8], pixels: n[9], reflectance: n.slice(10, 13),
+    const result = { errors: { vertical: n[0], diagonal: n[1], dot: n[2], texture: n[3], bands: n[4] }, taps: count, radius: n[8], pixels: n[9], reflectance: n.slice(10, 13),
       decay: n.slice(13, 16), curves, kernel: numbers(64, 4 * count), spent };
     result.edges = [[0.5, 1], [0, Math.SQRT1_2]].map(([first, step]) => { // upright, from pixel to pixel; slanted, along a row
       wasm.edge(256, first * n[8] / n[9], step * n[8] / n[9]);

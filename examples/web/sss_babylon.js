@@ -1,4 +1,4 @@
-// sources 4079338019
+// sources 64553172
 (() => {
 const SHADER = `
 // Subsurface scattering in screen space: the passes X and Y, half resolution, and light through thin parts.
