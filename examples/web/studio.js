@@ -385,11 +385,14 @@ function notice(text) {
   $('notice').textContent = text;
   $('notice').hidden = !text;
 }
+let restoring = false;
 async function restore() {
   const start = performance.now(), text = last(), old = read(text);
   old.gone.forEach(id => gone.add(id));
-  if (old.shelf) studio.shelved = old.shelf.of; // nothing else is recommended while it is shown
+  if (old.shelf) studio.shelved = old.shelf.of; // nothing else is recommended while it is shown,
+  restoring = Boolean(old.shelf); //               nor from a part of the answers
   const n = await take(old);
+  restoring = false;
   if (old.shelf && n && old.shelf.of === answered()) await stock(old.shelf.found, old.shelf.guessed);
   else if (old.shelf && n) restock(true);
   studio.restored = performance.now() - start;
@@ -478,7 +481,7 @@ function heard({ learned, settled, state, problem, doubt, picks, warning }) {
   if (problem) return fail(problem);
   if (learned !== studio.answers && settled) return; // more is under way
   if (settled) { ask(doubt); offer(picks); studio.unsupported = warning || ''; warn(); }
-  if (state >= 2 && studio.shelved !== answered()) restock(settled); // else they are what was here before a reload
+  if (state >= 2 && !restoring && studio.shelved !== answered()) restock(settled); // else they are what was here before a reload
   else if (settled) { studio.settled = true; tell(); }
 }
 // Comparisons in place of scores, where those found little that is liked.
