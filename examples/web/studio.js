@@ -26,13 +26,15 @@ const fail = e => { console.error(String(e && e.message || e)); $('says').textCo
 // Only the newest call of a kind runs; those that came while it did are dropped but the last.
 function latest(run) {
   let running = false, next = null;
-  return async function go(...args) {
+  async function go(...args) {
     if (running) return void (next = args);
     running = true;
     try { await run(...args); } catch (e) { fail(e); }
     running = false;
     if (next) { const a = next; next = null; go(...a); }
-  };
+  }
+  go.busy = () => running;
+  return go;
 }
 
 // --------------------------------------------------------------------------------------------------- what materials look like
@@ -148,7 +150,7 @@ function piece(job) {
 }
 let mind, hand, queue = [], filling = null, mode = 'pair', byHand = false; // byHand: somebody chose how to answer
 const deckSize = () => mode === 'pair' ? 2 : innerWidth < 720 ? 4 : 8;
-studio.idle = () => studio.started && studio.settled && !mind.busy() && !hand.busy() && !filling && !pieces.length && studio.deck.length > 0;
+studio.idle = () => studio.started && studio.settled && !mind.busy() && !hand.busy() && !restock.busy() && !filling && !pieces.length && studio.deck.length > 0;
 
 studio.draw = async x => (await hand.ask('draw', { x })).map(p => Array.from(p)); // pictures of any materials, for scripts
 
