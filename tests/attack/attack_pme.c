@@ -125,8 +125,8 @@ static void family_minimize(void)
     begin = square(clipped);
     attack_say("n %d, m %d, kind %d, bounds %d, differences %d, cost of a jacobian %.4g, max_cost %.6g, "
                "tolerance %.3g, restarts %d, fails at %d, unit 0 %.4g, f at the start %.9g",
-               q.n, q.m, q.kind, q.bounds, f.residuals_only, f.jacobian_cost, o.max_cost, o.tolerance,
-               o.restarts, q.fail_at, q.unit[0], begin);
+               q.n, q.m, q.kind, q.bounds, f.residuals_only, f.jacobian_cost, o.max_cost, o.tolerance, o.restarts,
+               q.fail_at, q.unit[0], begin);
     memset(&result, 0x55, sizeof result);
     status = ms_pme_minimize(&f, &o, x, &result, &error);
     if (status != MS_OK) {
@@ -294,8 +294,7 @@ static void family_match(void)
         "n %d, %d pixels, jacobian %d, predictions %d, candidates %d, random %d, initial only %d, max_cost %.5g, "
         "weights %d, pulls %d, deviations %d, NaN %d, fails at %d, box 0 of %.6g",
         q.n, q.m, r.jacobian != NULL, predictions, o.candidate_count, o.random_count, o.initial_only, o.refine.max_cost,
-        with_weight, o.pull != NULL, o.deviation != NULL, q.kind, q.fail_at,
-        q.upper[0] - q.lower[0]);
+        with_weight, o.pull != NULL, o.deviation != NULL, q.kind, q.fail_at, q.upper[0] - q.lower[0]);
     for (j = 0; j < 16; ++j) x[j] = deviation[j] = 7e77;
     for (i = 0; i < PIXELS; ++i) image[i] = 7e7f;
     memset(&result, 0x55, sizeof result);
