@@ -458,8 +458,9 @@ static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t p
 /* ---- small maths ----------------------------------------------------------------------------------------------- */
 
 #define MS_PME__INF ((double)HUGE_VAL)
-#define MS_PME__SOLVERS 16 /* local solvers at a time, and candidates that a match keeps, at most */
-#define MS_PME__ROWS 32    /* rows of the Jacobian that one QR update takes: they stay in the cache */
+#define MS_PME__SOLVERS 16  /* local solvers at a time, and candidates that a match keeps, at most */
+#define MS_PME__ROWS 32     /* rows of the Jacobian that one QR update takes: they stay in the cache */
+#define MS_PME__TOGETHER 20 /* rounds of a bounded problem before it is taken one parameter at a time */
 
 static double ms_pme__dot(const double *a, const double *b, int n)
 {
@@ -728,14 +729,16 @@ static void ms_pme__solve_free(const double *triangle, int n, const double *weig
 }
 
 /* d [n] minimizes |R d - b|^2 + sum (weight_j d_j)^2 over low <= d <= high, low <= 0 <= high: the active-set method of
-   Stark and Parker (1995), finite and exact; each set is a QR factorization. state in: a guess of the active set (0
-   free, -1 at low, 1 at high); out: the active set. z [n]; the others as above. */
+   Stark and Parker (1995), finite and exact; each set is a QR factorization. To need few of them, it begins with
+   rounds in which all parameters that should change sides do so together. state in: a guess of the active set (0 free,
+   -1 at low, 1 at high); out: the active set. z [n]; the others as above. */
 static void ms_pme__bounded_least_squares(const double *triangle, int n, const double *weight, const double *low,
                                           const double *high, double *d, int *state, double *z, double *work)
 {
     int w = n + 1, change, i, j, released = -1;
     for (j = 0; j < n; ++j) d[j] = state[j] < 0 ? low[j] : state[j] > 0 ? high[j] : 0;
-    for (change = 0; change < 4 * n + 8; ++change) {
+    for (change = 0; change < 4 * n + 8 + MS_PME__TOGETHER; ++change) {
+        const int together = change < MS_PME__TOGETHER;
         int worst = -1, hit = -1;
         double alpha = 1, steepest = 0, *size = work;
         ms_pme__solve_free(triangle, n, weight, state, d, z, work);
@@ -743,6 +746,12 @@ static void ms_pme__bounded_least_squares(const double *triangle, int n, const d
             double limit, t;
             if (state[j] != 0 || (z[j] >= low[j] && z[j] <= high[j])) continue;
             limit = z[j] < low[j] ? low[j] : high[j];
+            if (together) {
+                state[j] = z[j] < low[j] ? -1 : 1;
+                d[j] = limit;
+                hit = j;
+                continue;
+            }
             t = z[j] < d[j] || z[j] > d[j] ? (limit - d[j]) / (z[j] - d[j]) : 0;
             if (t < alpha || hit < 0) {
                 alpha = ms_pme__clip(t, 0, 1);
@@ -751,6 +760,7 @@ static void ms_pme__bounded_least_squares(const double *triangle, int n, const d
         }
         for (j = 0; j < n; ++j)
             if (state[j] == 0) d[j] = ms_pme__clip(d[j] + alpha * (z[j] - d[j]), low[j], high[j]);
+        if (hit >= 0 && together) continue;
         if (hit >= 0) {
             state[hit] = z[hit] < low[hit] ? -1 : 1;
             d[hit] = state[hit] < 0 ? low[hit] : high[hit];
@@ -772,8 +782,9 @@ static void ms_pme__bounded_least_squares(const double *triangle, int n, const d
             }
             push = state[j] < 0 ? t : -t;
             if (push > 1e-14 * terms && push > steepest) {
-                steepest = push;
+                steepest = together ? 0 : push;
                 worst = j;
+                if (together) state[j] = 0;
             }
         }
         if (worst < 0) break;
@@ -1538,6 +1549,7 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
 #undef MS_PME__INF
 #undef MS_PME__SOLVERS
 #undef MS_PME__ROWS
+#undef MS_PME__TOGETHER
 #undef MS_PME__SCALE_DECAY
 #endif /* MS_PME_IMPLEMENTATION */
 
