@@ -250,7 +250,7 @@ static TEST_UNUSED unsigned char *test_guarded(size_t size, size_t offset, int f
     size_t i;
     if (block == NULL) abort();
     memset(block, fill, offset + size);
-    for (i = 0; i < TEST_GUARD; ++i) block[offset + size + i] = (unsigned char)(0x5A ^ i);
+    for (i = 0; i != TEST_GUARD; ++i) block[offset + size + i] = (unsigned char)(0x5A ^ i);
     return block + offset;
 }
 
@@ -259,7 +259,7 @@ static TEST_UNUSED int test_unguard(unsigned char *memory, size_t size, size_t o
 {
     size_t i;
     int intact = 1;
-    for (i = 0; i < TEST_GUARD; ++i) intact &= memory[size + i] == (unsigned char)(0x5A ^ i);
+    for (i = 0; i != TEST_GUARD; ++i) intact &= memory[size + i] == (unsigned char)(0x5A ^ i);
     free(memory - offset);
     return intact;
 }

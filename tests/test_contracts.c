@@ -92,7 +92,7 @@ static ms_nn *net_of(int kind, ms_nn_dtype type, unsigned char **file)
     CHECK((*file)[0] == 0xCD);
     CHECK_INT(ms_nn_file_write(t, n, entries, 3, *file, room, &size, &error), MS_OK);
     if (ms_nn_load(*file, room, NULL, &nn, &error) != MS_OK) TEST_FAIL("%s", error.message);
-    for (i = 0; i < TEST_GUARD; ++i) CHECK((*file)[room + i] == (unsigned char)(0x5A ^ i));
+    for (i = 0; i != TEST_GUARD; ++i) CHECK((*file)[room + i] == (unsigned char)(0x5A ^ i));
     return nn;
 }
 

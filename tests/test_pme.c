@@ -1979,12 +1979,14 @@ static void test_any_ranges(void)
    parameters, which must not change the deviations of the others. */
 typedef struct lone_ranges {
     double low[N], range[N], slope[P][N];
-    int dead[N];
+    int dead[N], flushes; /* flushes: a call in a host that takes subnormals for 0, as tests/calls.sh makes one */
 } lone_ranges;
 static ms_status lone_render(void *user, const double *x, float *image)
 {
-    const lone_ranges *s = (const lone_ranges *)user;
+    lone_ranges *s = (lone_ranges *)user;
+    volatile double least = DBL_MIN;
     int i, j;
+    s->flushes = !(least * 0.5 > 0);
     for (i = 0; i < P; ++i) {
         double sum = 0;
         for (j = 0; j < N; ++j) sum += s->dead[j] ? 0 : s->slope[i][j] * (x[j] - s->low[j]) / s->range[j];
@@ -2038,7 +2040,9 @@ static void test_lone_ranges(void)
             CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, NULL, NULL), MS_OK);
         }
         for (j = 0; j < N; ++j) {
-            if (s.dead[j]) CHECK_NEAR(deviation[0][j], s.range[j] / sqrt(12.0), 1e-9 * s.range[j] + 5e-324);
+            const double even = s.range[j] / sqrt(12.0);
+            if (s.dead[j] && s.flushes && even < DBL_MIN) CHECK_NEAR(deviation[0][j], 0, 0);
+            else if (s.dead[j]) CHECK_NEAR(deviation[0][j], even, 1e-9 * s.range[j] + 5e-324);
             else CHECK_NEAR(deviation[0][j], deviation[1][j], 1e-6 * deviation[1][j]); /* the same triangle, turned */
         }
     }
