@@ -747,6 +747,12 @@ def thumbs(b):
     b.open("examples/web/kernels.html#480", 1280, 800, dark=True)
     b.until("window.designer && designer.idle()", 600)
     thumb("kernels")
+    b.open("examples/web/kernels.html#640", 1280, 1000)  # what stands over the view while its head is made
+    b.until("window.designer && designer.idle()", 600)
+    b.value("document.body.append(document.querySelector('#view')), Object.assign(document.querySelector('#view').style, {position: 'fixed', left: 0, top: 0, width: '640px', height: '640px', zIndex: 9}), 1")
+    time.sleep(1)
+    with open(out + "/kernels_poster.jpg", "wb") as f:
+        f.write(base64.b64decode(b.call("Page.captureScreenshot", format="jpeg", quality=80, clip={"x": 0, "y": 0, "width": 640, "height": 640, "scale": 1})["data"]))
     b.open("examples/web/three.html", 1280, 800)
     b.until("window.view && view.ready", WAIT)
     thumb("three")

@@ -12,7 +12,7 @@ sources() { # what page $1 is made of
         examples/tools/files.h examples/tools/image.h $web/studio.c $web/wasi.js $web/studio.worker.js $web/studio.js $web/page.css $web/studio.css \
         $web/studio.part.html $web/pack.c $web/build.sh examples/data/renderer_128.safetensors examples/data/inversion_6.safetensors ;;
     kernels) echo ms_mcml.h ms_sss.h examples/engine/shader/ms_sss.glsl examples/engine/shader/ms_sss_pyramid.glsl examples/tools/wgsl.h examples/demo/scene.h examples/tools/image.h examples/tools/files.h examples/tools/layered.h examples/tools/skin.h $web/kernels.c $web/wasi.js $web/kernels.worker.js \
-        $web/kernels.js $web/page.css $web/kernels.css $web/kernels.part.html $web/build.sh ;;
+        $web/kernels.js $web/page.css $web/kernels.css $web/kernels.part.html $web/kernels_poster.jpg $web/build.sh ;;
     three) echo ms_sss.h examples/engine/shader/ms_sss.glsl $web/three.c $web/sss_core.part.js $web/sss_three.part.js $web/three.page.js $web/three.unpack.js $web/three.part.html $web/build.sh ;;
     babylon) echo ms_sss.h examples/engine/shader/ms_sss.glsl $web/three.c $web/sss_core.part.js $web/sss_babylon.part.js $web/babylon.page.js $web/babylon.part.html $web/build.sh \
         examples/data/truth_bust.bin examples/data/truth_knot.bin examples/data/truth_skin1.csv examples/data/truth_marble.csv ;;
@@ -141,6 +141,7 @@ HTML
     sed -n '1{/^<title>/p;}' $web/"$page".part.html
     echo "<style>"
     cat $web/page.css $web/"$page".css
+    [ "$page" != kernels ] || echo "#poster{background:center/cover url(data:image/jpeg;base64,$(base64 <$web/kernels_poster.jpg | tr -d '\n'))}"
     echo "</style>"
     sed '1{/^<title>/d;}' $web/"$page".part.html
     binary 'id="binary"' "$made/$page.wasm"

@@ -1,7 +1,7 @@
 // The kernel designer: an object is lit in WebGL 2 and filtered by the shader files of ms_sss.h; kernels are made in a worker.
 const $ = id => document.getElementById(id);
 const make = (tag, props = {}, ...inside) => { const e = Object.assign(document.createElement(tag), props); e.append(...inside); return e; };
-const fail = e => { console.error(String(e && e.message || e)); $('says').hidden = false; $('says').textContent = 'Oh dear: ' + (e && e.message || e); };
+const fail = e => { console.error(String(e && e.message || e)); $('poster').hidden = true; $('says').hidden = false; $('says').textContent = 'Oh dear: ' + (e && e.message || e); };
 function worker() {
   const w = new Worker(URL.createObjectURL(new Blob([$('wasi').textContent + $('worker').textContent], { type: 'text/javascript' }))), waiting = new Map();
   let id = 0;
@@ -514,7 +514,7 @@ async function sculpt(object) { // coarse at once, then fine, band by band
   o.fine = texture(gl.RGBA32F, gl.FLOAT, gl.RGBA, l.fine);
   o.tint = texture(gl.RGBA8, gl.UNSIGNED_BYTE, gl.RGBA, l.tint);
   objects[object] = o;
-  if (object === designer.object) $('says').hidden = true;
+  if (object === designer.object && $('poster').hidden) $('says').hidden = true;
   redraw();
   for (let y = 0, band = Math.ceil(size / 24); y < size; y += band) {
     const to = Math.min(size, y + band), f = await w.ask('layers', { object, size, from: y, to });
@@ -527,7 +527,15 @@ async function sculpt(object) { // coarse at once, then fine, band by band
     if (object === designer.object) redraw();
   }
   o.whole = true;
+  live();
 }
+// A picture of the page as it begins stands over the view until its head is whole, or until somebody touches anything.
+function live() {
+  if ($('poster').hidden) return;
+  $('poster').hidden = true;
+  $('says').hidden = !!objects[designer.object];
+}
+for (const touch of ['pointerdown', 'keydown', 'input']) addEventListener(touch, live, true);
 designer.idle = () => !!designer.kernel && objects.every(o => o && o.whole) && !maker.busy() && !design.busy() && !look.busy() && !dirty;
 (async () => {
   said();
