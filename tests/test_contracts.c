@@ -763,7 +763,7 @@ typedef union options_of {
     radius_of radius;
     ms_sss_filter_options filter;
     ms_sss_shader shader;
-    nn_shader nn_shader;
+    nn_shader shader_nn;
     char bytes[512];
 } options_of;
 

@@ -1123,6 +1123,7 @@ static void rings_of_isotropic_half_spaces(void)
             ms_mcml_tissue t;
             ms_mcml_layered s;
             double r = 0, next;
+            memset(&s, 0, sizeof s);
             m.mu_a_per_mm = 1 - albedo[a];
             m.mu_s_per_mm = albedo[a];
             m.g = 0;

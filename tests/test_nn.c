@@ -2281,7 +2281,7 @@ static double direct_value(const ref_net *net, const ms_nn *nn, const float *x, 
 {
     const ref_layer *l = &net->layer[net->layers - 1];
     int n = count_of(l->in), outputs = (int)ms_nn_output_size(nn), i, k;
-    size_t channels, inputs;
+    size_t channels = 0, inputs = 0;
     float *h;
     double sum = 0;
     ms_nn_channel_inputs(nn, &channels, &inputs);

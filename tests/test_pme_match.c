@@ -294,6 +294,7 @@ static void test_light_found(void)
     ms_error error;
     size_t i, p;
     int kind, j, c;
+    memset(&found, 0, sizeof found);
     CHECK_INT(matcher_open(&m, shared_renderer(16), &error), MS_OK);
     p = m.renderer.image_size;
     for (j = 0; j < 7; ++j) truth[j] = 0.3 + 0.07 * j;

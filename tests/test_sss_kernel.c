@@ -1319,7 +1319,7 @@ static void memory(void)
     CHECK_INT(ms_sss_kernel_build(&k, d, &o, NULL), MS_OK);
     bytes_most = designer;
     CHECK_INT(ms_sss_kernel_measure(&e, &k, d), MS_OK);
-    CHECK_LE(bytes_most - designer, 60e3);
+    CHECK_LE((double)(bytes_most - designer), 60e3);
     bytes_refused = 300000; /* only a fit is as large */
     o.model = MS_SSS_GAUSSIANS;
     o.placement = MS_SSS_OPTIMIZED;
@@ -1328,9 +1328,9 @@ static void memory(void)
         bytes_most = designer;
         o.term_count = terms;
         CHECK_INT(ms_sss_kernel_build(&k, d, &o, NULL), MS_OUT_OF_MEMORY);
-        CHECK_LE(bytes_most - designer, terms == 1 ? 0.5e6 : 2.1e6);
+        CHECK_LE((double)(bytes_most - designer), terms == 1 ? 0.5e6 : 2.1e6);
     }
-    CHECK(bytes_most - designer > 1.9e6);
+    CHECK((double)(bytes_most - designer) > 1.9e6);
     ms_sss_designer_destroy(d);
     CHECK(bytes_held == 0);
     ms_sss_profile_destroy(skin);
