@@ -64,9 +64,9 @@ static inline const char *space__name(const space_kept *s, int k, char *text)
     return text;
 }
 
-static void space__snap(void *kept, double *x)
+static void space__snap(void *user, double *x)
 {
-    const space_kept *s = (const space_kept *)kept;
+    const space_kept *s = (const space_kept *)user;
     int i, k, row;
     for (k = 0; k < s->m; ++k) { /* equal columns meet in their mean, at a step, or in the common range */
         double sum = 0, count = 0;
