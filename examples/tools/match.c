@@ -210,6 +210,7 @@ int main(int argc, char **argv)
     ms_status status;
     size_t used = 0, total;
     int i, k, n, pixels, has_alpha = 0, flags = 0, light, count = 1, verdict;
+    memset(&found, 0, sizeof found);
     for (i = 1; i < argc; ++i) {
         if (strcmp(argv[i], "--help") == 0) return puts(usage_text) < 0 || file_end_stdout("match");
         if (strcmp(argv[i], "--robust") == 0) flags |= MATCHER_ROBUST;

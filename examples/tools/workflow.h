@@ -166,7 +166,7 @@ static const char *draw_page(const flow *f, const float *gallery, const float *r
     words(page, GAP, top, 0, text);
     top += HEAD;
     for (from = f->warning; *from; from += strlen(text)) { /* in lines of up to 79 letters */
-        snprintf(text, sizeof text, "%s", from);
+        snprintf(text, sizeof text, "%.79s", from);
         if (from[strlen(text)] && strrchr(text, ' ')) strrchr(text, ' ')[1] = 0;
         words(page, GAP, top, 0, text);
         top += HEAD;

@@ -157,9 +157,9 @@ CALL(int, outlier, (void))
 /* 1: what the scores do not support is in message. */
 CALL(int, warning, (void))
 {
-    char text[WARNINGS_TEXT];
-    if (!studio_warning(&session, text)) return 0;
-    snprintf(error.message, sizeof error.message, "%s", text);
+    char says[WARNINGS_TEXT];
+    if (!studio_warning(&session, says)) return 0;
+    snprintf(error.message, sizeof error.message, "%s", says);
     return 1;
 }
 

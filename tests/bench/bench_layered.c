@@ -89,6 +89,7 @@ int main(void)
             ms_mcml_layered_options o;
             ms_mcml_layered y;
             memset(&o, 0, sizeof o);
+            memset(&y, 0, sizeof y);
             for (i = 0; i < 5; ++i) {
                 const double start = bench_cpu();
                 const ms_status status = ms_mcml_layered_solve(&tissue, &o, &y, &failure);

@@ -133,7 +133,7 @@ static int targets_set(int t, int *number)
     return set;
 }
 
-static const char *targets_name(int t)
+static inline const char *targets_name(int t)
 {
     int k, set = targets_set(t, &k);
     return set > 1 ? targets_kind[k % TARGETS_KINDS]
