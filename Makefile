@@ -139,11 +139,11 @@ check-style:
 format:
 	@clang-format --version 2>/dev/null | grep -q 'version 14\.' || { echo "make format needs clang-format 14"; exit 1; }
 	@git ls-files '*.c' '*.h' | xargs clang-format -i
-sanitize:
+sanitize: examples
 	@$(RUN) sanitize
-thread:
+thread: examples
 	@$(RUN) thread
-valgrind:
+valgrind: examples
 	@$(RUN) valgrind
 fuzz:
 	@$(RUN) fuzz
