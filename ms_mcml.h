@@ -1731,23 +1731,23 @@ static ms_status ms_mcml__check_medium(const ms_mcml_medium *medium, ms_error *e
 
 enum { MS_MCML__SOLVE_DOUBLES = (int)MS_MCML__FIT_DOUBLES + (int)MS_MCML__TRIANGLE };
 
-static const double ms_mcml__slowest = 1e-7; /* decay, per mean free path, that the lattice of frequencies resolves */
-
-/* Part of the entering light that leaves after two collisions and more. single: the part that leaves after one. What is
-   absorbed falls with nu = sqrt(3 (1 - albedo)), to nothing. */
+/* Part of the entering light that leaves after two collisions and more. single: the part that leaves after one. A part in
+   proportion to nu = sqrt(3 (1 - albedo)) is absorbed between two meetings with the boundary, which holds most of it
+   back: for a slow decay, lost / left is that of t times nu / t, since the rounding of the albedo would be felt. */
 static double ms_mcml__multiple_total(const ms_mcml__cone *cone, double albedo, double nu, double depth_step,
                                       double entering, double single, double *work)
 {
-    const double t = nu > ms_mcml__slowest ? nu : ms_mcml__slowest;
+    const double t = nu > 4e-6 ? nu : 4e-6;
     const double multiple = entering * ms_mcml__multiple(cone, nu < t ? 1 - t * t / 3 : albedo, 0, t, depth_step, work);
-    return nu < t ? entering - single - (entering - single - multiple) * (nu / t) : multiple;
+    const double left = single + multiple, lost = (entering - left) * (nu / t);
+    return nu < t ? entering * left / (left + lost) - single : multiple;
 }
 
 /* A medium that was checked, by the two steps of ms_mcml_profile_options; work: MS_MCML__SOLVE_DOUBLES. */
 static void ms_mcml__solve(const ms_mcml_medium *medium, double depth_step, double frequency_step,
                            ms_mcml__halfspace *s, double *work)
 {
-    const double fastest = 200; /* of the lattice of t, per mean free path */
+    const double slowest = 1e-7, fastest = 200; /* of the lattice of t, per mean free path */
     const double mu_s = medium->mu_s_per_mm * (1 - medium->g);
     double t[MS_MCML__RATES_MAX], spectrum[MS_MCML__RATES_MAX], absorption, entering, nu, multiple, low;
     ms_mcml__cone cone;
@@ -1778,7 +1778,7 @@ static void ms_mcml__solve(const ms_mcml_medium *medium, double depth_step, doub
 
     /* Its spectrum at k^2 = t^2 - nu^2, and the sum of energy / (1 + k^2 / rate^2) that has this spectrum. Rates need a
        finer lattice than frequencies: 0.8 steps. */
-    low = 0.01 * nu > ms_mcml__slowest ? 0.01 * nu : ms_mcml__slowest;
+    low = 0.01 * nu > slowest ? 0.01 * nu : slowest;
     for (rows = 0; rows < MS_MCML__RATES_MAX && low * exp(frequency_step * (rows - 1)) < fastest; ++rows) {
         t[rows] = low * exp(frequency_step * rows);
         spectrum[rows] = entering *
@@ -1894,17 +1894,16 @@ static double ms_mcml__reflected(const ms_mcml__cone *cone, double absorbed)
 }
 
 /* The albedo of a color and, as it may round to 1, 1 - albedo. The reflectance falls almost linearly with
-   s = sqrt(1 - albedo): secants inside a bracket. Below a color of 1e-7 light is scattered once, and the reflectance is
-   proportional to the albedo. */
+   s = sqrt(1 - albedo): secants inside a bracket. Where the albedo is next to nothing light is scattered once, and the
+   reflectance is proportional to it. */
 static double ms_mcml__albedo_of(double color, double eta, double *absorbed)
 {
-    double s = 1 - color, slope = -1, last = s, before = 0, low = 0, high = 1;
+    double s = 1 - color, slope = -1, last = s, before = 0, low = 0, high = 1, single = 0;
     ms_mcml__cone cone;
     int i;
     ms_mcml__cone_make(&cone, eta);
-    if (color < 1e-7) {
-        double single = 0;
-        for (i = 0; i < cone.count; ++i) single += cone.weight[i] * cone.mu[i] / (1 + cone.mu[i]);
+    for (i = 0; i < cone.count; ++i) single += cone.weight[i] * cone.mu[i] / (1 + cone.mu[i]);
+    if (color < 1e-5 * single) {
         *absorbed = 1 - color / single;
         return color / single;
     }
