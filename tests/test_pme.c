@@ -6,6 +6,7 @@
 #include "test.h"
 #include "stack.h"
 #include "json.h"
+#include <float.h>
 #include <limits.h>
 #include <stddef.h>
 
@@ -1086,6 +1087,14 @@ static void test_match_arguments(void)
     bad.upper = high;
     CHECK_INT(ms_pme_match(&bad, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
     CHECK_INT(error.position, 2);
+    for (k = 0; k < 3; ++k) { /* a range that is no number: where would its middle be? */
+        low[2] = k == 1 ? -1.7e308 : 0;
+        high[2] = k == 0 ? (double)HUGE_VAL : 1.7e308;
+        if (k == 2) low[2] = -(double)HUGE_VAL;
+        CHECK_INT(ms_pme_match(&bad, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
+        CHECK_INT(error.position, 2);
+        CHECK(strstr(error.message, "no finite range between them") != NULL);
+    }
     options.candidate_count = 1;
     CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
     for (k = 1; k < 8; ++k) { /* a renderer that fails midway, the last render included */
