@@ -563,13 +563,12 @@ typedef struct ms_pme__run {
     double *trial_residual;                        /* [m] at the last other point */
     const double *trial;                           /* the accepted point whose residuals these are, or NULL */
     double *jacobian;                              /* [m][n] */
-    double unit[MS_PME_PARAMETERS_MAX];     /* largest magnitude in a column of the Jacobian; 1 for a zero column */
-    double *triangle;                       /* [n + 1][n + 1] R of J / unit, and Q'(-r) / |r| */
-    double column[MS_PME_PARAMETERS_MAX];   /* norms of its columns: between 1 and sqrt(m), or 0 */
-    double gradient[MS_PME_PARAMETERS_MAX]; /* of |r|^2 / 2 in y_j = unit_j x_j / |r| */
-    double scale[MS_PME_PARAMETERS_MAX];    /* of the trust region: a norm of a column of J */
-    double weight[MS_PME_PARAMETERS_MAX];   /* that in y */
-    double *work;                           /* workspace of one step */
+    double unit[MS_PME_PARAMETERS_MAX];   /* largest magnitude in a column of the Jacobian; 1 for a zero column */
+    double *triangle;                     /* [n + 1][n + 1] R of J / unit, and Q'(-r) / |r| */
+    double column[MS_PME_PARAMETERS_MAX]; /* norms of its columns: between 1 and sqrt(m), or 0 */
+    double scale[MS_PME_PARAMETERS_MAX];  /* of the trust region: a norm of a column of J */
+    double weight[MS_PME_PARAMETERS_MAX]; /* that in y */
+    double *work;                         /* workspace of one step */
     ms_pme__solver solvers[MS_PME__SOLVERS + 1]; /* the last one is workspace */
     ms_pme_result result;
     int stopped;   /* by the budget, a failure or f = 0: no callback follows */
@@ -639,7 +638,7 @@ static void ms_pme__difference(ms_pme__run *run, const double *x, int j)
         *column = h < 0 || h > 0 ? (run->trial_residual[i] - run->residual[i]) / h : 0;
 }
 
-/* The linear model at x: the triangle, its columns and the gradient, all of size 1 whatever the units of x and r are.
+/* The linear model at x: the triangle and the norms of its columns, of size 1 whatever the units of x and r are.
    Returns |r|, infinite if there is no model. */
 static double ms_pme__linearize(ms_pme__run *run, const double *x)
 {
@@ -685,13 +684,9 @@ static double ms_pme__linearize(ms_pme__run *run, const double *x)
         ms_pme__qr_append(run->triangle, n, rows, k);
     }
     for (j = 0; j < n; ++j) {
-        double square = 0, slope = 0;
-        for (i = 0; i <= j; ++i) {
-            square += run->triangle[i * w + j] * run->triangle[i * w + j];
-            slope -= run->triangle[i * w + j] * run->triangle[i * w + n];
-        }
+        double square = 0;
+        for (i = 0; i <= j; ++i) square += run->triangle[i * w + j] * run->triangle[i * w + j];
         run->column[j] = sqrt(square);
-        run->gradient[j] = slope;
     }
     return norm;
 }
@@ -824,13 +819,12 @@ static void ms_pme__solver_step(ms_pme__run *run, ms_pme__solver *solver)
         double predicted, decrease, norm, t, step = 0, size = 0;
         int finite = 1;
 
-        /* the damped problem: its solution d, and the bounds that it is at; first those that stop a descent */
+        /* the damped problem: its solution d, and the bounds that it is at; first those of x */
         for (j = 0; j < n; ++j) {
             low[j] = (run->low[j] - x[j]) * run->unit[j] / solver->norm;
             high[j] = (run->high[j] - x[j]) * run->unit[j] / solver->norm;
             damping[j] = sqrt(solver->lambda) * run->weight[j];
-            state[j] = high[j] <= 0 && run->gradient[j] <= 0;
-            if (low[j] >= 0 && run->gradient[j] >= 0) state[j] = -1;
+            state[j] = low[j] >= 0 ? -1 : high[j] <= 0;
         }
         predicted = ms_pme__bounded_least_squares(run->triangle, n, damping, low, high, d, state, z, work);
 

@@ -904,6 +904,87 @@ static void test_restarts(void)
     CHECK_NEAR(x, 0.5, 0);
 }
 
+/* A restart that improves is finished at the full tolerance: large residuals, so that steps converge linearly, and the
+   better candidate leads to the worse minimum. */
+static ms_status slow_basins(void *user, const double *x, double *r, double *jacobian)
+{
+    const double u = 5 * (x[0] - 0.8), v = (x[0] - 0.2) / 0.05, w = exp(-v * v), wide = exp(-0.5 * u * u);
+    (void)user;
+    r[0] = 1 - 0.4 * u * u;
+    r[1] = u;
+    r[2] = 6 * (1 - w - wide);
+    if (jacobian != NULL) {
+        jacobian[0] = -4 * u;
+        jacobian[1] = 5;
+        jacobian[2] = 6 * (2 * v / 0.05 * w + 5 * u * wide);
+    }
+    return MS_OK;
+}
+
+static void test_finished_restarts(void)
+{
+    static const double low[1] = {0}, high[1] = {1};
+    ms_pme_function f;
+    ms_pme_options o = ms_pme_defaults();
+    ms_pme_result result;
+    double x, least = HUGE_VAL, value;
+    int i, seed, improved = 0;
+    memset(&f, 0, sizeof f);
+    f.parameter_count = 1;
+    f.residual_count = 3;
+    f.residuals = slow_basins;
+    f.lower = low;
+    f.upper = high;
+    for (i = 0; i <= 1000000; ++i) { /* the minimum, by trying them all */
+        double at = 1e-6 * i, r[3];
+        slow_basins(NULL, &at, r, NULL);
+        value = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
+        if (value < least) least = value;
+    }
+    for (seed = 0; seed < 20; ++seed) {
+        o.seed = (uint64_t)seed;
+        o.restarts = 8;
+        o.max_cost = 2000;
+        x = 0.2;
+        CHECK_INT(ms_pme_minimize(&f, &o, &x, &result, NULL), MS_OK);
+        if (!(result.value < 1.01 * least)) continue; /* stayed in the worse one */
+        ++improved;
+        CHECK_NEAR(result.value, least, 1e-8 * least); /* steps shrink by a fifth: some times the tolerance is left */
+    }
+    CHECK(improved > 10);
+}
+
+/* By differences from the ends of the range inwards: there the step is taken to the other side. */
+static ms_status from_the_ends(void *user, const double *x, double *r, double *jacobian)
+{
+    (void)user, (void)jacobian;
+    r[0] = x[0] - 0.3;
+    r[1] = x[1] - 0.6;
+    return MS_OK;
+}
+
+static void test_from_the_ends(void)
+{
+    static const double low[2] = {0, 0}, high[2] = {1, 1};
+    int start;
+    for (start = 0; start < 4; ++start) {
+        ms_pme_function f;
+        double x[2];
+        memset(&f, 0, sizeof f);
+        x[0] = start & 1;
+        x[1] = start >> 1;
+        f.parameter_count = 2;
+        f.residual_count = 2;
+        f.residuals = from_the_ends;
+        f.residuals_only = 1;
+        f.lower = low;
+        f.upper = high;
+        CHECK_INT(ms_pme_minimize(&f, NULL, x, NULL, NULL), MS_OK);
+        CHECK_NEAR(x[0], 0.3, 1e-9); /* linear: the difference is exact but for rounding, 1e-16 / 1e-8 */
+        CHECK_NEAR(x[1], 0.6, 1e-9);
+    }
+}
+
 /* Rosenbrock's valley (1960) over [-2, 2]^2. */
 static ms_status valley(void *user, const double *x, float *image)
 {
@@ -2428,6 +2509,8 @@ static const test_case cases[] = {{"published minima", test_published},
                                   {"arguments", test_arguments},
                                   {"match", test_match},
                                   {"match, restarts", test_restarts},
+                                  {"restarts are finished", test_finished_restarts},
+                                  {"from the ends of ranges", test_from_the_ends},
                                   {"match, short budget", test_short_budget},
                                   {"match, starts in turn", test_turns},
                                   {"a parameter without effect", test_no_effect},
