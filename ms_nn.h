@@ -402,7 +402,7 @@ MS_API size_t ms_nn_workspace_size(const ms_nn *nn, ms_nn_product product, int c
    MS_INVALID_ARGUMENT: count < 1, a NULL pointer. MS_OUT_OF_MEMORY: only with workspace NULL. */
 MS_API ms_status ms_nn_forward(const ms_nn *nn, int count, const float *x, float *y, void *workspace);
 
-/* The Jacobian at one x by directional derivatives, which read the weights once for 48 inputs.
+/* The Jacobian at one x by directional derivatives, which read the weights once for many inputs.
    x          [input size]
    y          [output size] out: f(x), bit-equal to ms_nn_forward; NULL: not wanted
    jacobian   [output size][input size] out
@@ -3023,7 +3023,7 @@ struct ms_nn_collapse {
     double *sum;      /* [channels rounded up to 4][wide], then one number */
 };
 
-enum { MS_NN__COLLAPSE_ROWS = 32 }; /* of W in double together: 24 kB of 96 features */
+enum { MS_NN__COLLAPSE_ROWS = 32 }; /* of W in double together: they stay in a cache */
 
 /* A pass over W in double. Gram: sum of m_i w_i w_i'. Else with the residuals res of h0: sum of w_i m_i res_i of each
    channel, then of m_i res_i^2. */

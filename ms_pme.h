@@ -210,8 +210,8 @@ typedef enum ms_pme_stop {
 typedef struct ms_pme_options {
     double max_cost;  /* in evaluations, never exceeded; 0: 1000, or 20 steps if these cost more (a match: 50, or 8) */
     double tolerance; /* relative decrease and relative step taken as converged; 0: 1e-10 */
-    int restarts;  /* further starts while cost is left; each ends at a relative decrease of 1e-3 unless it improves */
-    uint64_t seed; /* of the random starts */
+    int restarts;     /* further starts while cost is left; one that does not improve ends at a loose tolerance */
+    uint64_t seed;    /* of the random starts */
     ms_allocator allocator; /* one block of about (m n + 2 m + 2 n^2) doubles, released before the call returns */
 } ms_pme_options;
 

@@ -533,7 +533,9 @@ static void test_nist(void)
             least = fmin(least, worst < 1e-4 ? -log10(worst) : 99);
             good += worst < 1e-4;
             if (!(worst < 1e-4)) TEST_FAIL("%s, start %d: %.1f digits", d.name, s + 1, -log10(worst));
-            if (worst < 1e-4) CHECK_NEAR(result.value, d.sum_of_squares, 2e-3 * d.sum_of_squares); /* Lanczos1: 1e-25 */
+            /* Lanczos1: residuals of 8e-14 beside values of 2.5, each good to an ulp of 4e-16 as exp is elsewhere */
+            if (worst < 1e-4)
+                CHECK_NEAR(result.value, d.sum_of_squares, (d.sum_of_squares < 1e-24 ? 1e-2 : 2e-3) * d.sum_of_squares);
         }
         ++sets;
     }
@@ -1223,6 +1225,7 @@ static void collapse_make(collapse *c, renderer_state *s, const float *target)
     for (i = 0; i < H; ++i) c->rest -= c->q[i] * c->q[i];
 }
 
+static double collapse_scale = 1; /* of all residuals: a function made for something else */
 static ms_status collapse_residuals(void *user, const double *x, double *r, double *jacobian)
 {
     const collapse *c = (const collapse *)user;
@@ -1239,6 +1242,7 @@ static ms_status collapse_residuals(void *user, const double *x, double *r, doub
             for (k = i; k < H; ++k) jacobian[i * N + j] += c->r[i][k] * dh[k][j];
         }
     }
+    for (i = 0; i <= H; ++i) r[i] *= collapse_scale;
     return MS_OK;
 }
 
@@ -1251,7 +1255,7 @@ static void test_reduced(void)
     ms_pme_function f;
     collapse c;
     float target[P];
-    double x[N], y[N], worst = 0;
+    double x[N], y[N], worst = 0, size = 0;
     int i, j;
     uint64_t state = 99;
     renderer_make(&s);
@@ -1277,6 +1281,15 @@ static void test_reduced(void)
     CHECK_NEAR(sqrt(reduced.refine.value), reduced.rmse, 1e-6);
     for (j = 0; j < N; ++j) worst = fabs(x[j] - y[j]) > worst ? fabs(x[j] - y[j]) : worst;
     CHECK_LE(worst, 1e-3); /* flat directions: 1e-6 in the value is its root in x */
+    for (i = 0; i < P; ++i) size += (double)target[i] * (double)target[i] / (double)P;
+    for (i = 0; i < 4; ++i) { /* a thousandth of the RMSE and 1e-5 of the target may be off, on both sides */
+        const double allowed = 1e-3 + 1e-5 * sqrt(size) / direct.rmse;
+        collapse_scale = 1 + (i % 2 ? 1.02 : 0.98) * (i < 2 ? allowed : -allowed);
+        options.initial_only = 1;
+        options.candidates = x;
+        CHECK_INT(ms_pme_match(&r, target, NULL, &options, y, NULL, NULL, NULL), i % 2 ? MS_INVALID_ARGUMENT : MS_OK);
+    }
+    collapse_scale = 1;
     TEST_NOTE("rmse %.9g direct, %.9g collapsed, x differs by %.1e", direct.rmse, reduced.rmse, worst);
 }
 
@@ -2430,7 +2443,7 @@ static void test_black_target(void)
         CHECK_INT(ms_pme_match(&r, black, NULL, &options, x, NULL, NULL, NULL), MS_OK);
         CHECK_NEAR(deviation[1], sqrt(1 / 12.0), 1e-6);
         if (k == 0) CHECK_NEAR(deviation[0], sqrt(1 / 12.0), 1e-6);
-        else CHECK_LE(deviation[0], 1e-6);
+        else CHECK_NEAR(deviation[0], 1e-7 / sqrt(8.0), 1e-3 * 1e-7); /* noise: 1e-7 of what x_0 does, in 8 values */
     }
 }
 
