@@ -956,6 +956,50 @@ static void test_finished_restarts(void)
     CHECK(improved > 10);
 }
 
+/* The first step of a match of two parameters, one with a hundredth of the other's effect: the damping of 1e-3 is that
+   of the columns, but no less than 0.3 of the largest, so that the weak one goes a third of its way. */
+enum { WEAK_CALLS = 4 };
+static double weak_tried[WEAK_CALLS][2];
+static int weak_calls;
+static ms_status weak_render(void *user, const double *x, float *image)
+{
+    (void)user;
+    if (weak_calls < WEAK_CALLS) memcpy(weak_tried[weak_calls++], x, sizeof weak_tried[0]);
+    image[0] = image[1] = (float)x[0];
+    image[2] = (float)(0.01 * x[1]);
+    return MS_OK;
+}
+static ms_status weak_jacobian(void *user, const double *x, float *image, float *jacobian)
+{
+    (void)user;
+    image[0] = image[1] = (float)x[0];
+    image[2] = (float)(0.01 * x[1]);
+    memset(jacobian, 0, 6 * sizeof *jacobian);
+    jacobian[0] = jacobian[2] = 1;
+    jacobian[5] = 0.01f;
+    return MS_OK;
+}
+
+static void test_weak_parameter(void)
+{
+    static const double start[2] = {0.5, 0.5};
+    static const float target[3] = {0.6f, 0.6f, 0.006f};
+    ms_pme_renderer r = ms_pme_renderer_defaults();
+    ms_pme_match_options options = ms_pme_match_defaults();
+    double x[2];
+    r.parameter_count = 2;
+    r.image_size = 3;
+    r.render = weak_render;
+    r.jacobian = weak_jacobian;
+    options.candidates = start;
+    options.candidate_count = 1;
+    weak_calls = 0;
+    CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, NULL, NULL), MS_OK);
+    CHECK(weak_calls >= 2); /* the candidate, then the first trial; pictures of floats */
+    CHECK_NEAR(weak_tried[1][0] - 0.5, 0.1 / (1 + 1e-3), 1e-6);
+    CHECK_NEAR(weak_tried[1][1] - 0.5, 0.1 * 1e-4 / (1e-4 + 1e-3 * 0.3 * 0.3 * 2), 1e-5);
+}
+
 /* By differences from the ends of the range inwards: there the step is taken to the other side. */
 static ms_status from_the_ends(void *user, const double *x, double *r, double *jacobian)
 {
@@ -2524,6 +2568,7 @@ static const test_case cases[] = {{"published minima", test_published},
                                   {"match, restarts", test_restarts},
                                   {"restarts are finished", test_finished_restarts},
                                   {"from the ends of ranges", test_from_the_ends},
+                                  {"a weak parameter", test_weak_parameter},
                                   {"match, short budget", test_short_budget},
                                   {"match, starts in turn", test_turns},
                                   {"a parameter without effect", test_no_effect},
