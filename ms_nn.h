@@ -402,7 +402,7 @@ MS_API size_t ms_nn_workspace_size(const ms_nn *nn, ms_nn_product product, int c
    MS_INVALID_ARGUMENT: count < 1, a NULL pointer. MS_OUT_OF_MEMORY: only with workspace NULL. */
 MS_API ms_status ms_nn_forward(const ms_nn *nn, int count, const float *x, float *y, void *workspace);
 
-/* The Jacobian at one x by directional derivatives, which read the weights once for 48 inputs.
+/* The Jacobian at one x by directional derivatives, which read the weights once for many inputs.
    x          [input size]
    y          [output size] out: f(x), bit-equal to ms_nn_forward; NULL: not wanted
    jacobian   [output size][input size] out
@@ -705,8 +705,20 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #define MS_NN_FILENAME "ms_nn.h"
 #endif
 
-/* Contents, in the order of the data: bytes | json | file | writer | layer list | plan (shapes, packed weights, where
-   values live) | run (one operation) | products (all operations) | queries | stdio | collapse | levels | kernels */
+/* Contents, in the order of the data:
+   bytes        numbers of a file, on any host
+   json         a cursor over text: strings, sizes, lists
+   file         the header of safetensors, read twice: counted, then filled
+   writer       the same in the other direction
+   layer list   the layers of a network as the file names them
+   plan         operations: shapes, packed weights, where values live
+   run          one operation on vectors
+   products     all operations: values, Jacobians, their workspaces
+   queries      what a caller asks a network
+   stdio        files by name
+   collapse     the last layer as an objective: R of W'MW, residuals
+   levels       the kernels of each instruction set
+   kernels      read once a level */
 
 /* Reading, writing and planning are compiled for size. */
 #if defined(__GNUC__) || defined(__clang__)
@@ -1554,29 +1566,28 @@ typedef enum ms_nn__field_kind {
 typedef struct ms_nn__field {
     const char *key;
     ms_nn__field_kind kind;
-    size_t offset;   /* in ms_nn__spec */
-    unsigned layers; /* bit k: layers of kind k have it */
+    size_t offset; /* in ms_nn__spec */
+    int layers;    /* the set of kinds that have it */
 } ms_nn__field;
 
-#define MS_NN__BIT(kind) (1u << (int)(kind))
-#define MS_NN__CONVS (MS_NN__BIT(MS_NN__CONV1D) | MS_NN__BIT(MS_NN__CONV2D))
-#define MS_NN__WEIGHTED (MS_NN__BIT(MS_NN__DENSE) | MS_NN__CONVS)
-#define MS_NN__POOLS                                                                              \
-    (MS_NN__BIT(MS_NN__MAXPOOL1D) | MS_NN__BIT(MS_NN__MAXPOOL2D) | MS_NN__BIT(MS_NN__AVGPOOL1D) | \
-     MS_NN__BIT(MS_NN__AVGPOOL2D))
-#define MS_NN__UPSAMPLES (MS_NN__BIT(MS_NN__UPSAMPLE1D) | MS_NN__BIT(MS_NN__UPSAMPLE2D))
-#define MS_NN__ACTIVATED (MS_NN__WEIGHTED | MS_NN__BIT(MS_NN__ACTIVATE) | MS_NN__BIT(MS_NN__ADD))
-#define MS_NN__TWO_D                                                                            \
-    (MS_NN__BIT(MS_NN__CONV2D) | MS_NN__BIT(MS_NN__UPSAMPLE2D) | MS_NN__BIT(MS_NN__MAXPOOL2D) | \
-     MS_NN__BIT(MS_NN__AVGPOOL2D))
+/* Sets of kinds: bit k is kind k. */
+enum {
+    MS_NN__UPSAMPLES = 1 << MS_NN__UPSAMPLE1D | 1 << MS_NN__UPSAMPLE2D,
+    MS_NN__MAXPOOLS = 1 << MS_NN__MAXPOOL1D | 1 << MS_NN__MAXPOOL2D,
+    MS_NN__POOLS = MS_NN__MAXPOOLS | 1 << MS_NN__AVGPOOL1D | 1 << MS_NN__AVGPOOL2D,
+    MS_NN__CONVS = 1 << MS_NN__CONV1D | 1 << MS_NN__CONV2D,
+    MS_NN__WEIGHTED = 1 << MS_NN__DENSE | MS_NN__CONVS,
+    MS_NN__ACTIVATED = MS_NN__WEIGHTED | 1 << MS_NN__ACTIVATE | 1 << MS_NN__ADD,
+    MS_NN__TWO_D = 1 << MS_NN__CONV2D | 1 << MS_NN__UPSAMPLE2D | 1 << MS_NN__MAXPOOL2D | 1 << MS_NN__AVGPOOL2D
+};
 
 static const ms_nn__field ms_nn__fields[] = {
-    {"type", MS_NN__TEXT, offsetof(ms_nn__spec, type), ~0u},
-    {"name", MS_NN__TEXT, offsetof(ms_nn__spec, name), ~0u},
+    {"type", MS_NN__TEXT, offsetof(ms_nn__spec, type), ~0},
+    {"name", MS_NN__TEXT, offsetof(ms_nn__spec, name), ~0},
     {"activation", MS_NN__TEXT, offsetof(ms_nn__spec, activation), MS_NN__ACTIVATED},
     {"alpha", MS_NN__REAL, offsetof(ms_nn__spec, alpha), MS_NN__ACTIVATED},
     {"bias", MS_NN__FLAG, offsetof(ms_nn__spec, bias), MS_NN__WEIGHTED},
-    {"units", MS_NN__COUNT, offsetof(ms_nn__spec, units), MS_NN__BIT(MS_NN__DENSE)},
+    {"units", MS_NN__COUNT, offsetof(ms_nn__spec, units), 1 << MS_NN__DENSE},
     {"filters", MS_NN__COUNT, offsetof(ms_nn__spec, filters), MS_NN__CONVS},
     {"kernel", MS_NN__EXTENTS, offsetof(ms_nn__spec, kernel), MS_NN__CONVS},
     {"padding", MS_NN__TEXT, offsetof(ms_nn__spec, padding), MS_NN__CONVS},
@@ -1584,10 +1595,10 @@ static const ms_nn__field ms_nn__fields[] = {
     {"stride", MS_NN__EXTENTS, offsetof(ms_nn__spec, stride), MS_NN__CONVS | MS_NN__POOLS},
     {"size", MS_NN__EXTENTS, offsetof(ms_nn__spec, size), MS_NN__POOLS},
     {"factor", MS_NN__EXTENTS, offsetof(ms_nn__spec, factor), MS_NN__UPSAMPLES},
-    {"order", MS_NN__TEXT, offsetof(ms_nn__spec, order), MS_NN__BIT(MS_NN__FLATTEN)},
-    {"rate", MS_NN__REAL, offsetof(ms_nn__spec, rate), MS_NN__BIT(MS_NN__DROPOUT)},
-    {"from", MS_NN__TEXT, offsetof(ms_nn__spec, from), MS_NN__BIT(MS_NN__ADD)},
-    {"inputs", MS_NN__INDICES, 0, MS_NN__BIT(MS_NN__SHARED)}};
+    {"order", MS_NN__TEXT, offsetof(ms_nn__spec, order), 1 << MS_NN__FLATTEN},
+    {"rate", MS_NN__REAL, offsetof(ms_nn__spec, rate), 1 << MS_NN__DROPOUT},
+    {"from", MS_NN__TEXT, offsetof(ms_nn__spec, from), 1 << MS_NN__ADD},
+    {"inputs", MS_NN__INDICES, 0, 1 << MS_NN__SHARED}};
 enum { MS_NN__FIELDS = (int)(sizeof ms_nn__fields / sizeof ms_nn__fields[0]) };
 
 /* What the whole layer list becomes. A first pass counts (text, layers, indices), a second one stores. */
@@ -1752,10 +1763,10 @@ static MS_NN__COLD ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
     if (!(spec.given & 1u)) return ms_nn__refuse(j, "the layer has no type");
     for (f = 0; f < MS_NN__FIELDS; ++f) {
         const ms_nn__field *field = &ms_nn__fields[f];
-        if ((spec.given & 1u << f) && !(field->layers & MS_NN__BIT(spec.kind)))
+        if ((spec.given & 1u << f) && !(field->layers & 1 << spec.kind))
             return ms__fail(j->error, MS_BAD_DATA, j->base + spec.at, "the field '%s' does not belong to the type %s",
                             field->key, ms_nn__kind_name[spec.kind]);
-        if ((spec.pairs & 1u << f) && (field->kind == MS_NN__COUNT || !(MS_NN__TWO_D & MS_NN__BIT(spec.kind))))
+        if ((spec.pairs & 1u << f) && (field->kind == MS_NN__COUNT || !(MS_NN__TWO_D & 1 << spec.kind)))
             return ms__fail(j->error, MS_BAD_DATA, j->base + spec.at, "the field '%s' of the type %s is one number",
                             field->key, ms_nn__kind_name[spec.kind]);
     }
@@ -1900,20 +1911,9 @@ typedef struct ms_nn__kernels {
     void (*product)(const ms_nn__product_job *job);
 } ms_nn__kernels;
 
-typedef enum ms_nn__op_kind {
-    MS_NN__DO_DENSE,
-    MS_NN__DO_CONV,
-    MS_NN__DO_UPSAMPLE,
-    MS_NN__DO_MAXPOOL,
-    MS_NN__DO_AVGPOOL,
-    MS_NN__DO_TRANSPOSE,
-    MS_NN__DO_ACTIVATE,
-    MS_NN__DO_ADD
-} ms_nn__op_kind;
-
 /* One operation. Operation k reads value k and makes value k + 1; value 0 is the input. */
 typedef struct ms_nn__op {
-    ms_nn__op_kind kind;
+    ms_nn__kind kind; /* of 1-D layers the 2-D one; FLATTEN: a transposition */
     ms_nn__activation activation;
     float alpha;
     ms_nn__dims in, out;
@@ -1945,6 +1945,7 @@ struct ms_nn {
     size_t *place;       /* [ops + 1] of a value: floats from the start of those of one sample */
     size_t *before;      /* [ops + 1] the same of what its activation was applied to; SIZE_MAX: it has none */
     size_t values, tape; /* floats of one sample without and with those */
+    size_t scratch;      /* floats of the largest padded input */
 };
 
 /* Memory held until the network goes; 64-byte aligned for the kernels' sake; NULL: none left. */
@@ -2016,37 +2017,33 @@ typedef struct ms_nn__weights {
     const ms_nn_tensor *weight, *bias, *scale;
 } ms_nn__weights;
 
+static const char *const ms_nn__part_name[] = {"weight", "bias", "weight_scale"};
+
 /* Finds them; sizes that the layer list leaves open (0 in shape) are read from the weights. */
 static MS_NN__COLD ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *spec, int rank, size_t *shape,
                                                  ms_nn_layer *info, ms_nn__weights *w, ms_error *error)
 {
-    const ms_nn_tensor *part[3];
+    const ms_nn_tensor **const part[3] = {&w->weight, &w->bias, &w->scale}, *t;
     ms_status status;
-    int i;
+    int i, d;
     if (spec->name == NULL) return ms__fail(error, MS_BAD_DATA, 0, "it has no name");
-    if ((status = ms_nn__tensor(nn, spec->name, "weight", rank, shape, 1, &w->weight, error)) != MS_OK) return status;
-    for (i = 0; i < rank; ++i) shape[i] = w->weight->shape[i];
-    if ((status = ms_nn__tensor(nn, spec->name, "bias", 1, shape, spec->bias != 2, &w->bias, error)) != MS_OK)
-        return status;
-    if ((status = ms_nn__tensor(nn, spec->name, "weight_scale", 1, shape, w->weight->dtype == MS_NN_I8, &w->scale,
-                                error)) != MS_OK)
-        return status;
+    for (i = 0; i < 3; ++i) {
+        const int required = i == 0 || (i == 1 ? spec->bias != 2 : w->weight->dtype == MS_NN_I8);
+        status = ms_nn__tensor(nn, spec->name, ms_nn__part_name[i], i == 0 ? rank : 1, shape, required, &t, error);
+        if (status != MS_OK) return status;
+        *part[i] = t;
+        for (d = 0; d < rank && i == 0; ++d) shape[d] = t->shape[d];
+    }
     if (spec->bias == 2 && w->bias) return ms__fail(error, MS_BAD_DATA, 0, "it says bias false but has a bias");
     if (w->scale && w->weight->dtype != MS_NN_I8)
         return ms__fail(error, MS_BAD_DATA, 0, "it has a weight_scale, which belongs to I8 weights only");
-    part[0] = w->weight;
-    part[1] = w->bias;
-    part[2] = w->scale;
     for (i = 0; i < 3; ++i) {
-        if (part[i] == NULL) continue;
-        if ((int)part[i]->dtype > (i == 0 ? (int)MS_NN_I8 : (int)MS_NN_F16))
-            return ms__fail(error, MS_UNSUPPORTED, 0, "networks have no %s of type %s: the tensor '%s'",
-                            i == 0       ? "weights"
-                                : i == 1 ? "biases"
-                                         : "scales",
-                            ms_nn__dtype_name[part[i]->dtype], part[i]->name);
-        info->bytes += part[i]->bytes;
-        if (i < 2) info->parameters += part[i]->bytes / ms_nn__bytes_of(part[i]->dtype);
+        if ((t = *part[i]) == NULL) continue;
+        if ((int)t->dtype > (i == 0 ? (int)MS_NN_I8 : (int)MS_NN_F16))
+            return ms__fail(error, MS_UNSUPPORTED, 0, "a %s of a network is not of type %s: the tensor '%s'",
+                            ms_nn__part_name[i], ms_nn__dtype_name[t->dtype], t->name);
+        info->bytes += t->bytes;
+        if (i < 2) info->parameters += t->bytes / ms_nn__bytes_of(t->dtype);
     }
     info->multiply_adds = w->weight->bytes / ms_nn__bytes_of(w->weight->dtype);
     info->dtype = w->weight->dtype;
@@ -2108,14 +2105,15 @@ static MS_NN__COLD ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__matrix *m, cons
 static MS_NN__COLD int ms_nn__conv_geometry(ms_nn *nn, ms_nn__conv *v)
 {
     const size_t s = v->stride[1], wide = (v->out.w - 1) * s + v->kernel[1], taps = v->kernel[0] * v->kernel[1];
-    size_t *offset = (size_t *)ms_nn__allocate(nn, taps, sizeof(size_t)), y, x;
+    size_t *offset = (size_t *)ms_nn__allocate(nn, taps, sizeof(size_t)), padded, y, x;
     v->pitch = ms_nn__round_up(wide, s);
     v->rows = (v->out.h - 1) * v->stride[0] + v->kernel[0];
     v->plane = ms__size_mul(v->rows, v->pitch);
     v->taps = taps;
     v->offset = offset;
-    if (offset == NULL || ms__size_add(ms__size_mul(v->in.c, v->plane), MS_NN__OVERRUN) > SIZE_MAX / sizeof(float))
-        return 0;
+    padded = ms__size_add(ms__size_mul(v->in.c, v->plane), MS_NN__OVERRUN);
+    if (offset == NULL || padded > SIZE_MAX / sizeof(float)) return 0;
+    if (padded > nn->scratch) nn->scratch = padded;
     for (y = 0; y < v->kernel[0]; ++y)
         for (x = 0; x < v->kernel[1]; ++x) *offset++ = y * v->pitch + x % s * (v->pitch / s) + x / s;
     return 1;
@@ -2151,7 +2149,7 @@ typedef struct ms_nn__build {
     int rank;
 } ms_nn__build;
 
-static MS_NN__COLD ms_nn__op *ms_nn__op_add(ms_nn__build *b, ms_nn__op_kind kind, ms_nn__dims out)
+static MS_NN__COLD ms_nn__op *ms_nn__op_add(ms_nn__build *b, ms_nn__kind kind, ms_nn__dims out)
 {
     ms_nn__op *op = &b->nn->op[b->nn->ops++];
     memset(op, 0, sizeof *op);
@@ -2187,7 +2185,7 @@ static MS_NN__COLD ms_status ms_nn__build_dense(ms_nn__build *b, const ms_nn__sp
     shape[1] = b->current.c;
     if ((status = ms_nn__weights_find(b->nn, s, 2, shape, info, &w, error)) != MS_OK) return status;
     out.c = shape[0];
-    op = ms_nn__op_add(b, MS_NN__DO_DENSE, out);
+    op = ms_nn__op_add(b, MS_NN__DENSE, out);
     if ((status = ms_nn__activation_read(s, op, info, error)) != MS_OK) return status;
     return ms_nn__dense_make(b->nn, &op->matrix, &w);
 }
@@ -2236,18 +2234,19 @@ static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, const ms_nn__spe
     v.in = b->current;
     v.out = dims;
     info->multiply_adds = ms__size_mul(info->multiply_adds, dims.h * dims.w);
-    op = ms_nn__op_add(b, MS_NN__DO_CONV, dims);
+    op = ms_nn__op_add(b, MS_NN__CONV2D, dims);
     if ((status = ms_nn__activation_read(s, op, info, error)) != MS_OK) return status;
     op->conv = v;
     return ms_nn__conv_make(b->nn, &op->conv, &w);
 }
 
 /* Upsampling and pools. */
-static MS_NN__COLD ms_status ms_nn__build_resize(ms_nn__build *b, const ms_nn__spec *s, ms_nn__op_kind kind,
-                                                 ms_error *error)
+static MS_NN__COLD ms_status ms_nn__build_resize(ms_nn__build *b, const ms_nn__spec *s, ms_error *error)
 {
-    const int two = (MS_NN__TWO_D & MS_NN__BIT(s->kind)) != 0, global = s->kind == MS_NN__GLOBALPOOL;
-    const size_t *given = kind == MS_NN__DO_UPSAMPLE ? s->factor : s->size;
+    const int two = (MS_NN__TWO_D & 1 << s->kind) != 0, global = s->kind == MS_NN__GLOBALPOOL;
+    const int up = (MS_NN__UPSAMPLES & 1 << s->kind) != 0;
+    const int max = (MS_NN__MAXPOOLS & 1 << s->kind) != 0;
+    const size_t *given = up ? s->factor : s->size;
     size_t size[2], stride[2], extent[2];
     ms_nn__dims out = b->current;
     ms_nn__op *op;
@@ -2263,7 +2262,7 @@ static MS_NN__COLD ms_status ms_nn__build_resize(ms_nn__build *b, const ms_nn__s
         const int own = two || d == 1, at = two ? d : 0;
         size[d] = global ? extent[d] : !own ? 1 : given[at] ? given[at] : 2;
         stride[d] = own && s->stride[at] ? s->stride[at] : size[d];
-        if (kind == MS_NN__DO_UPSAMPLE) extent[d] = ms__size_mul(extent[d], size[d]);
+        if (up) extent[d] = ms__size_mul(extent[d], size[d]);
         else if (extent[d] < size[d])
             return ms__fail(error, MS_BAD_DATA, 0, "it takes %z, its input has only %z", size[d], extent[d]);
         else extent[d] = (extent[d] - size[d]) / stride[d] + 1;
@@ -2271,7 +2270,7 @@ static MS_NN__COLD ms_status ms_nn__build_resize(ms_nn__build *b, const ms_nn__s
     out.h = extent[0];
     out.w = extent[1];
     if (ms_nn__too_large(out)) return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
-    op = ms_nn__op_add(b, kind, out);
+    op = ms_nn__op_add(b, up ? MS_NN__UPSAMPLE2D : max ? MS_NN__MAXPOOL2D : MS_NN__AVGPOOL2D, out);
     memcpy(op->size, size, sizeof size);
     memcpy(op->stride, stride, sizeof stride);
     return MS_OK;
@@ -2283,7 +2282,7 @@ static MS_NN__COLD ms_status ms_nn__build_flatten(ms_nn__build *b, const ms_nn__
     if (s->order != NULL && !last && strcmp(s->order, "channels_first"))
         return ms__fail(error, MS_BAD_DATA, 0, "flatten order must be channels_first or channels_last, not '%s'",
                         s->order);
-    if (last && b->current.c > 1 && b->current.h * b->current.w > 1) ms_nn__op_add(b, MS_NN__DO_TRANSPOSE, b->current);
+    if (last && b->current.c > 1 && b->current.h * b->current.w > 1) ms_nn__op_add(b, MS_NN__FLATTEN, b->current);
     b->current.c = ms_nn__count(b->current);
     b->current.h = b->current.w = 1;
     b->rank = 1;
@@ -2310,7 +2309,7 @@ static MS_NN__COLD ms_status ms_nn__build_add(ms_nn__build *b, const ms_nn__spec
     if (shape.rank != other.rank || memcmp(shape.size, other.size, sizeof shape.size) != 0)
         return ms__fail(error, MS_BAD_DATA, 0, "it adds what has another shape: '%s'", s->from);
     info->from = s->from;
-    op = ms_nn__op_add(b, MS_NN__DO_ADD, b->current);
+    op = ms_nn__op_add(b, MS_NN__ADD, b->current);
     op->skip = from;
     return ms_nn__activation_read(s, op, info, error);
 }
@@ -2331,22 +2330,16 @@ static MS_NN__COLD ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error
     case MS_NN__DENSE: status = ms_nn__build_dense(b, s, info, error); break;
     case MS_NN__CONV1D:
     case MS_NN__CONV2D: status = ms_nn__build_conv(b, s, info, error); break;
-    case MS_NN__UPSAMPLE1D:
-    case MS_NN__UPSAMPLE2D: status = ms_nn__build_resize(b, s, MS_NN__DO_UPSAMPLE, error); break;
-    case MS_NN__MAXPOOL1D:
-    case MS_NN__MAXPOOL2D: status = ms_nn__build_resize(b, s, MS_NN__DO_MAXPOOL, error); break;
-    case MS_NN__AVGPOOL1D:
-    case MS_NN__AVGPOOL2D:
-    case MS_NN__GLOBALPOOL: status = ms_nn__build_resize(b, s, MS_NN__DO_AVGPOOL, error); break;
     case MS_NN__FLATTEN: status = ms_nn__build_flatten(b, s, error); break;
     case MS_NN__ADD: status = ms_nn__build_add(b, s, i, info, error); break;
     case MS_NN__ACTIVATE:
-        status = ms_nn__activation_read(s, ms_nn__op_add(b, MS_NN__DO_ACTIVATE, b->current), info, error);
+        status = ms_nn__activation_read(s, ms_nn__op_add(b, MS_NN__ACTIVATE, b->current), info, error);
         break;
     case MS_NN__DROPOUT:
         if (s->rate >= 1) status = ms__fail(error, MS_BAD_DATA, 0, "its rate must be below 1");
         break;
-    default: break; /* shared_channels: done before the first layer */
+    case MS_NN__SHARED: break; /* done before the first layer */
+    default: status = ms_nn__build_resize(b, s, error); break;
     }
     if (status == MS_OUT_OF_MEMORY) ms__fail(error, status, 0, "no memory for its weights");
     info->output = ms_nn__shape(b->current, b->rank);
@@ -2437,7 +2430,7 @@ static MS_NN__COLD ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_
         if (status != MS_OK)
             return ms_nn__name_place(error, status, l.spec[i].at, i, ms_nn__kind_name[l.spec[i].kind], l.spec[i].name);
     }
-    if (nn->ops == 0) ms_nn__op_add(&b, MS_NN__DO_ACTIVATE, b.current); /* nothing to do is a copy */
+    if (nn->ops == 0) ms_nn__op_add(&b, MS_NN__ACTIVATE, b.current); /* nothing to do is a copy */
     if (ms__size_mul(nn->channels, ms_nn__count(b.current)) > SIZE_MAX / 64)
         return ms__fail(error, MS_BAD_DATA, 0, "the outputs of all channels are too large");
     nn->output = ms_nn__shape(b.current, b.rank);
@@ -2558,9 +2551,6 @@ static void ms_nn__conv_task(void *context, int index)
     job->kernels->conv(job, row, ms_nn__min(row + job->chunk, job->conv->out.h));
 }
 
-/* Floats of the padded input. */
-static size_t ms_nn__conv_padded(const ms_nn__conv *v) { return v->in.c * v->plane + MS_NN__OVERRUN; }
-
 static MS_NN__COLD void ms_nn__run_conv(const ms_nn *nn, const ms_nn__op *op, const float *x, float *y, int linear,
                                         void *scratch)
 {
@@ -2607,8 +2597,8 @@ static MS_NN__NOINLINE void ms_nn__run_pool(const ms_nn__op *op, const float *po
         for (i = 0; i < op->out.h; ++i)
             for (j = 0; j < op->out.w; ++j) {
                 const size_t at = (c * op->in.h + i * op->stride[0]) * op->in.w + j * op->stride[1];
-                *y++ = op->kind == MS_NN__DO_AVGPOOL ? ms_nn__window_mean(op, x, at)
-                                                     : x[ms_nn__window_max(op, point, at)];
+                *y++ = op->kind == MS_NN__AVGPOOL2D ? ms_nn__window_mean(op, x, at)
+                                                    : x[ms_nn__window_max(op, point, at)];
             }
 }
 
@@ -2669,20 +2659,20 @@ static MS_NN__COLD void ms_nn__apply(const ms_nn *nn, int k, size_t count, const
     const int linear = point != NULL;
     const ms_nn__op *op = &nn->op[k];
     size_t in = ms_nn__count(op->in), out = ms_nn__count(op->out), b, i;
-    if (op->kind == MS_NN__DO_DENSE) ms_nn__run_dense(nn, op, (int)count, x, y, linear);
+    if (op->kind == MS_NN__DENSE) ms_nn__run_dense(nn, op, (int)count, x, y, linear);
     for (b = 0; b < count; ++b) {
         const float *xb = x + b * in;
         float *yb = y + b * out;
         switch (op->kind) {
-        case MS_NN__DO_CONV: ms_nn__run_conv(nn, op, xb, yb, linear, scratch); break;
-        case MS_NN__DO_UPSAMPLE: ms_nn__run_upsample(op, xb, yb); break;
-        case MS_NN__DO_MAXPOOL:
-        case MS_NN__DO_AVGPOOL: ms_nn__run_pool(op, linear ? point + b / each * in : xb, xb, yb); break;
-        case MS_NN__DO_TRANSPOSE: ms_nn__transpose(xb, op->in.c, op->in.h * op->in.w, yb, op->in.c); break;
-        case MS_NN__DO_ADD:
+        case MS_NN__CONV2D: ms_nn__run_conv(nn, op, xb, yb, linear, scratch); break;
+        case MS_NN__UPSAMPLE2D: ms_nn__run_upsample(op, xb, yb); break;
+        case MS_NN__MAXPOOL2D:
+        case MS_NN__AVGPOOL2D: ms_nn__run_pool(op, linear ? point + b / each * in : xb, xb, yb); break;
+        case MS_NN__FLATTEN: ms_nn__transpose(xb, op->in.c, op->in.h * op->in.w, yb, op->in.c); break;
+        case MS_NN__ADD:
             for (i = 0; i < out; ++i) yb[i] = xb[i] + skip[b * out + i];
             break;
-        case MS_NN__DO_ACTIVATE: memcpy(yb, xb, out * sizeof(float)); break;
+        case MS_NN__ACTIVATE: memcpy(yb, xb, out * sizeof(float)); break;
         default: break;
         }
     }
@@ -2726,19 +2716,6 @@ static MS_NN__COLD const float *ms_nn__run_directions(const ms_nn__run *r, size_
     return ms_nn__value(&d, nn->ops);
 }
 
-/* Bytes of the largest padded input of a convolution. */
-static MS_NN__COLD size_t ms_nn__scratch_size(const ms_nn *nn)
-{
-    size_t most = 0, floats;
-    int k;
-    for (k = 0; k < nn->ops; ++k) {
-        if (nn->op[k].kind != MS_NN__DO_CONV) continue;
-        floats = ms_nn__conv_padded(&nn->op[k].conv);
-        most = floats > most ? floats : most;
-    }
-    return ms__size_mul(most, sizeof(float));
-}
-
 enum { MS_NN__BATCH = 48 }; /* samples or directions that run together at most */
 
 /* How many samples of a call run together: dense layers gain from many, values should stay in a cache. */
@@ -2747,8 +2724,8 @@ static MS_NN__COLD size_t ms_nn__batch_size(const ms_nn *nn)
     size_t dense = 0, n;
     int k, convolutions = 0;
     for (k = 0; k < nn->ops; ++k) {
-        if (nn->op[k].kind == MS_NN__DO_DENSE) dense += nn->op[k].matrix.rows * nn->op[k].matrix.cols;
-        else convolutions += nn->op[k].kind == MS_NN__DO_CONV;
+        if (nn->op[k].kind == MS_NN__DENSE) dense += nn->op[k].matrix.rows * nn->op[k].matrix.cols;
+        else convolutions += nn->op[k].kind == MS_NN__CONV2D;
     }
     n = (convolutions ? 131072u : 4194304u) / ms__size_mul(nn->values, nn->channels) / 12 * 12;
     if (nn->channel_input) return nn->channels < 12 ? 12 / nn->channels : 1; /* large pictures: more are slower */
@@ -2780,7 +2757,7 @@ static MS_NN__COLD ms_nn__layout ms_nn__layout_of(const ms_nn *nn, ms_nn_product
     l.values = (float *)ms__take(&a, l.points, ms__size_mul(forward ? nn->values : nn->tape, sizeof(float)));
     l.dx = (float *)ms__take(&a, vectors, in * sizeof(float));
     l.dvalues = (float *)ms__take(&a, vectors, ms__size_mul(nn->values, sizeof(float)));
-    l.scratch = ms__take(&a, ms_nn__scratch_size(nn), 1);
+    l.scratch = ms__take(&a, nn->scratch, sizeof(float));
     if (!forward && ms__size_mul(ms__size_mul(ms_nn_output_size(nn), ms_nn_input_size(nn)), sizeof(double)) == SIZE_MAX)
         a.used = SIZE_MAX;
     l.total = l.points > INT_MAX || vectors > INT_MAX ? SIZE_MAX : ms__size_add(a.used, 63); /* to align the first */
@@ -2933,14 +2910,13 @@ MS_API const size_t *ms_nn_channel_inputs(const ms_nn *nn, size_t *channels, siz
 
 MS_API MS_NN__COLD ms_status ms_nn_check_weights(const ms_nn *nn, ms_error *error)
 {
-    static const char *const part[] = {"weight", "bias", "weight_scale"};
     char name[MS_NN__NAME_SIZE];
     int l, p;
     size_t i;
     if (nn == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nn is NULL");
     for (l = 0; l < nn->layers; ++l)
         for (p = 0; p < 3 && nn->layer[l].dtype != MS_NN_DTYPE_COUNT; ++p) {
-            const ms_nn_tensor *t = ms_nn__part(nn, nn->layer[l].name, part[p], name);
+            const ms_nn_tensor *t = ms_nn__part(nn, nn->layer[l].name, ms_nn__part_name[p], name);
             for (i = 0; t && i < t->bytes / ms_nn__bytes_of(t->dtype); ++i) {
                 const float value = ms_nn__element(t->data, t->dtype, i);
                 if (!ms__finite_f(value))
@@ -3047,7 +3023,7 @@ struct ms_nn_collapse {
     double *sum;      /* [channels rounded up to 4][wide], then one number */
 };
 
-enum { MS_NN__COLLAPSE_ROWS = 32 }; /* of W in double together: 24 kB of 96 features */
+enum { MS_NN__COLLAPSE_ROWS = 32 }; /* of W in double together: they stay in a cache */
 
 /* A pass over W in double. Gram: sum of m_i w_i w_i'. Else with the residuals res of h0: sum of w_i m_i res_i of each
    channel, then of m_i res_i^2. */
@@ -3196,7 +3172,7 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float 
     ms__arena a = {NULL, 0};
     if (nn == NULL || c == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", nn == NULL ? "nn" : "c");
     last = &nn->op[nn->ops - 1];
-    if (last->kind != MS_NN__DO_DENSE || last->activation != MS_NN__LINEAR)
+    if (last->kind != MS_NN__DENSE || last->activation != MS_NN__LINEAR)
         return ms__fail(error, MS_UNSUPPORTED, 0, "only a network whose last layer is dense and linear collapses");
     memset(&made, 0, sizeof made);
     memset(&pass, 0, sizeof pass);
@@ -3413,19 +3389,19 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, co
 
 /* Full unrolling of the short loops over register tiles, also at -O2, and inlining of what has constant arguments. Not
    with clang's sanitizers, where it takes minutes to compile, and not at -O0, where every form's stack would count. */
+#if !defined(__OPTIMIZE__)
 #define MS_NN__UNROLL
-#define MS_NN__INLINE static inline MS_NN__TARGET
-#if defined(__OPTIMIZE__)
-#undef MS_NN__INLINE
-#define MS_NN__INLINE static inline MS_NN__TARGET __attribute__((always_inline))
-#undef MS_NN__UNROLL
-#if !defined(__clang__)
+#elif !defined(__clang__)
 #define MS_NN__UNROLL _Pragma("GCC unroll 16")
 #elif __has_feature(address_sanitizer) || __has_feature(undefined_behavior_sanitizer) || __has_feature(thread_sanitizer)
 #define MS_NN__UNROLL
 #else
 #define MS_NN__UNROLL _Pragma("clang loop unroll(full)")
 #endif
+#if defined(__OPTIMIZE__)
+#define MS_NN__INLINE static inline MS_NN__TARGET __attribute__((always_inline))
+#else
+#define MS_NN__INLINE static inline MS_NN__TARGET
 #endif
 
 /* y = x Phi(x), or with slope y *= Phi(x) + x phi(x), of the normal distribution: plain double, so that both ends keep
@@ -3479,13 +3455,6 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #undef MS_NN__BIG_ENDIAN
 #undef MS_NN__X86
 #undef MS_NN__ARM
-#undef MS_NN__BIT
-#undef MS_NN__WEIGHTED
-#undef MS_NN__CONVS
-#undef MS_NN__TWO_D
-#undef MS_NN__POOLS
-#undef MS_NN__UPSAMPLES
-#undef MS_NN__ACTIVATED
 #undef MS_NN__UNROLL
 #undef MS_NN__INLINE
 #undef MS_NN__NOINLINE
@@ -3626,10 +3595,8 @@ MS_NN__KERNEL void MS_NN__FN(widen)(const unsigned char *p, size_t n, double fac
     size_t k, count, i;
     for (k = 0; k < n; k += count) {
         count = ms_nn__min(n - k, MS_NN__V_LANES);
-        MS_NN__FN(store)
-        (lane,
-         count == MS_NN__V_LANES ? MS_NN__FN(weight)(p + k * size, dtype)
-                                 : MS_NN__FN(weight_part)(p + k * size, dtype, count));
+        if (count == MS_NN__V_LANES) MS_NN__FN(store)(lane, MS_NN__FN(weight)(p + k * size, dtype));
+        else MS_NN__FN(store)(lane, MS_NN__FN(weight_part)(p + k * size, dtype, count));
         for (i = 0; i < count; ++i) out[k + i] = factor * (double)lane[i];
     }
 }

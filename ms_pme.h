@@ -44,22 +44,20 @@
 
    Method
    ------
-   Levenberg-Marquardt; each step is a linear least-squares problem inside the box, solved exactly by an active-set
-   method. It reaches the minima of all 14 problems of tests/data/pme_problems.json within 1e-7, and four digits of
-   NIST's certified values from all 54 starts. With restarts it is a multistart by successive halving, then from random
-   points. A Jacobian costs a network a few evaluations, differences cost n. Units do not matter: a range may be 1e-200
-   or 1e200, and residuals any size. A parameter is frozen by equal bounds and pulled towards a source by options.pull.
-   What was done to a picture after it was rendered (exposure, tint) is found by further parameters of a wrapped
-   renderer: matcher_light of examples/tools/matcher.h.
+   Levenberg-Marquardt; each step is a linear least-squares problem inside the box, solved exactly by active sets. It
+   reaches the minima of all 14 problems of tests/data/pme_problems.json within 1e-7, and four digits of NIST's
+   certified values from all 54 starts. With restarts it is a multistart by successive halving, then from random points.
+   Units do not matter: a range may be 1e-200 or 1e200, and residuals any size. Equal bounds freeze a parameter. What
+   was done to a picture after it was rendered (exposure, tint) is found by further parameters of a wrapped renderer:
+   matcher_light of examples/tools/matcher.h.
 
    Memory, threads, determinism, errors
    ------------------------------------
    Each call makes one allocation. The stack stays below 32 KB, 64 KB without optimization. There is no global state:
    calls may overlap. Callbacks run on the calling thread, one at a time. The result has the same bits at every call
    with the same seed and the same answers of the callbacks. -ffast-math voids this and the statements about NaN and
-   infinity. Failures return a status and a sentence in ms_error, and leave all outputs untouched. A point whose
-   residuals are NaN, infinite or beyond 1e300 is worse than every other point, not an error; a derivative that is not
-   finite is MS_BAD_DATA.
+   infinity. Failures return a status and a sentence in ms_error. A point whose residuals are NaN, infinite or beyond
+   1e300 is worse than every other point, not an error; a derivative that is not finite is MS_BAD_DATA.
 
    Limits
    ------
@@ -195,7 +193,7 @@ typedef struct ms_pme_function {
     size_t residual_count; /* m >= 1 */
     /* r [m] out. jacobian [m][n] row-major out, d r_i / d x_j; NULL: not asked for. */
     ms_status (*residuals)(void *user, const double *x, double *r, double *jacobian);
-    int residuals_only;          /* non-zero: `residuals` cannot fill a Jacobian; forward differences take its place, of
+    int residuals_only;          /* non-zero: `residuals` fills no Jacobian; n forward differences take its place, of
                                     steps for double precision (a match: 1e-3 of the range, for pictures of floats) */
     double jacobian_cost;        /* cost of a call with a Jacobian, in evaluations; 0: 1 + n / 4 */
     const double *lower, *upper; /* [n]; NULL: no bound on that side; infinities allowed */
@@ -210,12 +208,10 @@ typedef enum ms_pme_stop {
 
 /* All zero gives the defaults; ms_pme_defaults() returns that. */
 typedef struct ms_pme_options {
-    double max_cost;  /* in evaluations (a Jacobian counts jacobian_cost), never exceeded; 0: 1000, or what 20 steps
-                           cost if that is more (a match: 50, or 8 steps) */
+    double max_cost;  /* in evaluations, never exceeded; 0: 1000, or 20 steps if these cost more (a match: 50, or 8) */
     double tolerance; /* relative decrease and relative step taken as converged; 0: 1e-10 */
-    int restarts;  /* further starts while cost is left. Each ends at a relative decrease of 1e-3 unless it improves on
-                      the best point */
-    uint64_t seed; /* of the random starts */
+    int restarts;     /* further starts while cost is left; one that does not improve ends at a loose tolerance */
+    uint64_t seed;    /* of the random starts */
     ms_allocator allocator; /* one block of about (m n + 2 m + 2 n^2) doubles, released before the call returns */
 } ms_pme_options;
 
@@ -224,8 +220,7 @@ typedef struct ms_pme_result {
     double cost;        /* spent, in evaluations */
     size_t evaluations; /* calls without derivatives */
     size_t jacobians;   /* calls with them */
-    size_t steps;       /* accepted ones, of all starts; 0: the budget was too small for one, or the start is a minimum
-                           (stop says which) */
+    size_t steps;       /* accepted ones, of all starts; 0: too small a budget or a minimum (stop says which) */
     ms_pme_stop stop;
 } ms_pme_result;
 
@@ -250,7 +245,7 @@ typedef struct ms_pme_renderer {
     void *user;
     int parameter_count;         /* n */
     size_t image_size;           /* p: pixels times channels */
-    const double *lower, *upper; /* [n]; NULL: all 0, all 1 */
+    const double *lower, *upper; /* [n] of finite ranges; NULL: all 0, all 1 */
     /* phi(x) -> image [p] */
     ms_status (*render)(void *user, const double *x, float *image);
     /* Optional: image and d image_i / d x_j as [p][n]. Floats: for ranges of 1e-30 to 1e30. */
@@ -260,8 +255,8 @@ typedef struct ms_pme_renderer {
     int prediction_count;
     ms_status (*predict)(void *user, int i, const float *target, double *x);
     /* Optional: a smaller function of the same n parameters, made for this target and these weights (ms_nn.h's
-       collapse): its sum of squares is the sum of weight (phi - target)^2. It replaces `render` and `jacobian` except
-       for one final call of `render`, which verifies the RMSE. Its bounds are not read. */
+       collapse), whose sum of squares is that of weight (phi - target)^2. It replaces `render` and `jacobian` except
+       for one last call of `render`, which verifies the RMSE. Its bounds are not read. */
     const ms_pme_function *reduced;
 } ms_pme_renderer;
 
@@ -272,8 +267,7 @@ typedef struct ms_pme_match_options {
     int initial_only;         /* non-zero: the best candidate is the answer */
     const double *candidates; /* [candidate_count][n]: the previous frame's answer, the source material; may be NULL */
     int candidate_count;
-    int random_count; /* further candidates, uniform in the box. The middle of the box is tried if no candidate has a
-                         finite picture */
+    int random_count;     /* further ones, uniform in the box. The middle is tried if none has a finite picture */
     const double *source; /* [n] center of the pulls */
     const double *pull;   /* [n] >= 0: pull (x_j - source_j)^2 is added to RMSE^2; NULL: none */
     double *deviation;    /* [n] out, or NULL: standard deviations of x for independent errors of the size of the RMSE;
@@ -285,8 +279,7 @@ typedef struct ms_pme_match_result {
     double rmse;          /* weighted, in the image's unit, from one real render of x */
     double rmse_initial;  /* of the best candidate */
     int best_candidate;   /* predictions come first, then `candidates`, then random ones (or the middle) */
-    ms_pme_result refine; /* without the candidates; its value is RMSE^2 and the pulls; steps 0: none was made; stop
-                             says why the whole match ended */
+    ms_pme_result refine; /* without the candidates; value: RMSE^2 and the pulls; stop: of the whole match */
     double cost;          /* in renders: candidates, refinement, the last render; not predictions and deviations */
 } ms_pme_match_result;
 
@@ -448,8 +441,7 @@ static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t p
 #endif /* MS_COMMON_PRIVATE */
 /* ms-common-private end */
 
-/* Contents: small maths | the run: budget and evaluations | bounded least squares | Levenberg-Marquardt | multistart |
-   public: minimize | match: objective | match: stages | public: match */
+/* Contents: small maths | the run | bounded least squares | Levenberg-Marquardt | multistart | minimize | match */
 
 #include <float.h>
 #include <limits.h>
@@ -458,9 +450,11 @@ static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t p
 /* ---- small maths ----------------------------------------------------------------------------------------------- */
 
 #define MS_PME__INF ((double)HUGE_VAL)
-#define MS_PME__SOLVERS 16  /* local solvers at a time, and candidates that a match keeps, at most */
-#define MS_PME__ROWS 32     /* rows of the Jacobian that one QR update takes: they stay in the cache */
-#define MS_PME__TOGETHER 20 /* rounds of a bounded problem before it is taken one parameter at a time */
+enum {
+    MS_PME__SOLVERS = 16, /* local solvers at a time, and candidates that a match keeps, at most */
+    MS_PME__ROWS = 32,    /* rows of the Jacobian that one QR update takes: they stay in the cache */
+    MS_PME__TOGETHER = 20 /* rounds of a bounded problem before it is taken one parameter at a time */
+};
 
 static double ms_pme__dot(const double *a, const double *b, int n)
 {
@@ -476,13 +470,6 @@ static double ms_pme__dot(const double *a, const double *b, int n)
     return (s0 + s1) + (s2 + s3);
 }
 
-/* y += t x */
-static void ms_pme__add(double *y, double t, const double *x, int n)
-{
-    int i;
-    for (i = 0; i < n; ++i) y[i] += t * x[i];
-}
-
 static double ms_pme__clip(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
 
 static double ms_pme__max(double a, double b) { return a > b ? a : b; }
@@ -494,7 +481,7 @@ static void ms_pme__copy(double *to, const double *from, int n) { memcpy(to, fro
    side last, and are destroyed. */
 static void ms_pme__qr_append(double *r, int n, double *columns, int k)
 {
-    int w = n + 1, i, j;
+    int w = n + 1, i, j, l;
     for (j = 0; j <= n; ++j) {
         double *column = columns + j * MS_PME__ROWS, *top = r + j * w, largest = 0, norm, head, beta;
         for (i = 0; i < k; ++i) largest = ms_pme__max(largest, fabs(column[i]));
@@ -502,14 +489,14 @@ static void ms_pme__qr_append(double *r, int n, double *columns, int k)
         largest = ms_pme__max(largest, fabs(top[j]));
         norm = (top[j] / largest) * (top[j] / largest);
         for (i = 0; i < k; ++i) norm += (column[i] / largest) * (column[i] / largest);
-        norm = largest * sqrt(norm);
-        if (top[j] > 0) norm = -norm;
+        norm = (top[j] > 0 ? -largest : largest) * sqrt(norm);
         head = top[j] - norm; /* v = (head, column), |v|^2 = -2 norm head */
         beta = 1 / (norm * head);
         for (i = j + 1; i <= n; ++i) {
-            double t = beta * (head * top[i] + ms_pme__dot(column, columns + i * MS_PME__ROWS, k));
+            double *other = columns + i * MS_PME__ROWS;
+            double t = beta * (head * top[i] + ms_pme__dot(column, other, k));
             top[i] += t * head;
-            ms_pme__add(columns + i * MS_PME__ROWS, t, column, k);
+            for (l = 0; l < k; ++l) other[l] += t * column[l];
         }
         top[j] = norm;
     }
@@ -524,11 +511,8 @@ static uint64_t ms_pme__random(uint64_t *state)
     return z ^ (z >> 31);
 }
 
-/* Uniform in the open interval (0, 1), 52 bits: never 0, never 1. */
-static double ms_pme__uniform(uint64_t *state)
-{
-    return ((double)(ms_pme__random(state) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
-}
+/* Uniform in the open interval (0, 1), in steps of 2^-52: never 0, never 1. */
+static double ms_pme__uniform(uint64_t *state) { return ((double)(ms_pme__random(state) >> 12) + 0.5) * DBL_EPSILON; }
 
 /* |v|: infinite if an element is not finite or beyond 1e300. Neither overflows nor underflows on the way. */
 static double ms_pme__norm(const double *v, size_t count)
@@ -552,41 +536,49 @@ static double ms_pme__square(double x)
     return bounded < 1e154 ? bounded * bounded : MS_PME__INF;
 }
 
-/* ---- the run: budget and evaluations --------------------------------------------------------------------------- */
+/* ---- the run --------------------------------------------------------------------------------------------------- */
 
-/* Points are compared by |r|, whose square f may underflow. */
+/* A start, or a local solver between two steps. Derivatives belong to the run: a step begins with them. */
+typedef struct ms_pme__solver {
+    double *x;     /* [n] the last accepted point */
+    double norm;   /* |r| there */
+    double lambda; /* 0 before the first step */
+    int done;      /* converged, or not finite */
+    int index;     /* of a candidate */
+} ms_pme__solver;
+
+/* Points are compared by |r|, whose square f may underflow. Arrays without a size here are in the block. */
 typedef struct ms_pme__run {
     const ms_pme_function *function;
     const ms_pme_options *options;
-    int n, match; /* match: differences are of pictures of floats */
-    int boxed;    /* a match whose parameters all have a range */
+    int n;
     size_t m;
-    double max_cost, tolerance, jacobian_cost;
-    double *lower, *upper, *best, best_norm; /* [n] each; |r| at the best point */
-    double *typical;                         /* [n] the range of a parameter, else the size of its start */
-    double *residual, *trial_residual;       /* [m] at the point of the Jacobian; at the last other point */
-    double *jacobian;                        /* [m][n] */
-    double *unit;     /* [n] largest magnitude in a column of the Jacobian; 1 for a zero column */
-    double *triangle; /* [n + 1][n + 1] R of J / unit, and Q'(-r) / |r| */
-    double *gradient; /* [n] of |r|^2 / 2 in y_j = unit_j x_j / |r| */
-    double *moved;    /* [n] the start, then x of a difference */
-    double *point;    /* [SOLVERS][2 n] x and scale of the local solvers */
-    double *work;     /* workspace of one step */
+    int match; /* all parameters have a range, and differences are of pictures of floats */
+    double max_cost, tolerance, derivatives_cost;
+    double low[MS_PME_PARAMETERS_MAX], high[MS_PME_PARAMETERS_MAX];
+    double best[MS_PME_PARAMETERS_MAX], best_norm; /* the best point, and |r| there */
+    double typical[MS_PME_PARAMETERS_MAX];         /* the range of a parameter, else the size of its start */
+    double moved[MS_PME_PARAMETERS_MAX];           /* x of a difference */
+    double *residual;                              /* [m] at the point of the Jacobian */
+    double *trial_residual;                        /* [m] at the last other point */
+    const double *trial;                           /* the accepted point whose residuals these are, or NULL */
+    double *jacobian;                              /* [m][n] */
+    double unit[MS_PME_PARAMETERS_MAX];   /* largest magnitude in a column of the Jacobian; 1 for a zero column */
+    double *triangle;                     /* [n + 1][n + 1] R of J / unit, and Q'(-r) / |r| */
+    double column[MS_PME_PARAMETERS_MAX]; /* norms of its columns: between 1 and sqrt(m), or 0 */
+    double scale[MS_PME_PARAMETERS_MAX];  /* of the trust region: a norm of a column of J */
+    double weight[MS_PME_PARAMETERS_MAX]; /* that in y */
+    double *work;                         /* workspace of one step */
+    ms_pme__solver solvers[MS_PME__SOLVERS + 1]; /* the last one is workspace */
     ms_pme_result result;
     int stopped;   /* by the budget, a failure or f = 0: no callback follows */
     int uncharged; /* evaluations for the standard deviations: outside the budget, and never the best point */
     ms_status status;
-    int bad;         /* the parameter by which a derivative is not finite; -1: none */
+    int bad;         /* 1 + the parameter by which a derivative is not finite, or 0 */
     uint64_t random; /* state of the generator */
     void *block;     /* the memory of the arrays, and its size */
     size_t block_size;
 } ms_pme__run;
-
-static int ms_pme__stop(ms_pme__run *run, ms_pme_stop why)
-{
-    if (!run->stopped) run->result.stop = why;
-    return run->stopped = 1;
-}
 
 /* Ends the run if the status is a failure; non-zero then. */
 static int ms_pme__fail(ms_pme__run *run, ms_status status)
@@ -596,106 +588,107 @@ static int ms_pme__fail(ms_pme__run *run, ms_status status)
     return run->stopped = 1;
 }
 
-/* Charges the budget before a callback. Non-zero: the run has stopped. */
-static int ms_pme__charge(ms_pme__run *run, double cost)
+/* |r(x)|, with the Jacobian at x or without: charges the budget, keeps the best point and stops at 0. Infinite if the
+   run had stopped before. */
+static double ms_pme__evaluate(ms_pme__run *run, const double *x, int derivatives)
 {
-    if (run->stopped || run->uncharged) return run->stopped;
-    if (run->result.cost + cost > run->max_cost * (1 + 1e-12)) return ms_pme__stop(run, MS_PME_STOP_COST);
+    const double cost = run->uncharged ? 0 : derivatives ? run->derivatives_cost : 1;
+    double *r = derivatives ? run->residual : run->trial_residual, norm;
+    if (run->stopped) return MS_PME__INF;
+    if (run->result.cost + cost > run->max_cost * (1 + 1e-12)) {
+        run->result.stop = MS_PME_STOP_COST;
+        run->stopped = 1;
+        return MS_PME__INF;
+    }
     run->result.cost += cost;
-    return 0;
-}
-
-/* Records |r(x)|: keeps the best point and stops at 0. */
-static double ms_pme__record(ms_pme__run *run, const double *x, double norm)
-{
+    if (derivatives) run->result.jacobians++;
+    else run->result.evaluations++;
+    run->trial = NULL;
+    if (ms_pme__fail(run, run->function->residuals(run->function->user, x, r, derivatives ? run->jacobian : NULL)))
+        return MS_PME__INF;
+    norm = ms_pme__norm(r, run->m);
     if (run->uncharged) return norm;
     if (norm < run->best_norm) {
         run->best_norm = norm;
         ms_pme__copy(run->best, x, run->n);
     }
-    if (!(norm > 0)) ms_pme__stop(run, MS_PME_STOP_CONVERGED);
+    run->stopped = !(norm > 0); /* converged */
     return norm;
 }
 
-/* |r(x)|, the residuals in trial_residual; infinite if the run has stopped. */
-static double ms_pme__value(ms_pme__run *run, const double *x)
+/* Column j of the Jacobian at x by a forward difference inside the box; to the other side if that is not finite. */
+static void ms_pme__difference(ms_pme__run *run, const double *x, int j)
 {
-    const ms_pme_function *function = run->function;
-    if (ms_pme__charge(run, 1)) return MS_PME__INF;
-    run->result.evaluations++;
-    if (ms_pme__fail(run, function->residuals(function->user, x, run->trial_residual, NULL))) return MS_PME__INF;
-    return ms_pme__record(run, x, ms_pme__norm(run->trial_residual, run->m));
-}
-
-/* Derivatives and one trial, in evaluations. */
-static double ms_pme__step_cost(const ms_pme__run *run)
-{
-    return 1 + (run->function->residuals_only ? run->n : run->jacobian_cost);
-}
-
-/* The step of a forward difference in x_j, inside the box. */
-static double ms_pme__difference_step(const ms_pme__run *run, double x, int j)
-{
-    double typical = run->typical[j], h;
-    if (run->match) h = 1e-3 * (ms__finite(run->upper[j] - run->lower[j]) ? typical : ms_pme__max(fabs(x), typical));
-    else h = 1.5e-8 * ms_pme__max(fabs(x), 1e-2 * typical); /* sqrt(DBL_EPSILON) */
-    if (!(h > 1e-15 * fabs(x))) h = 1e-15 * fabs(x) + DBL_MIN;
-    if (x + h <= run->upper[j]) return h;
-    if (x - h >= run->lower[j]) return -h;
-    return run->upper[j] - x > x - run->lower[j] ? run->upper[j] - x : run->lower[j] - x;
-}
-
-/* A derivative is not finite: the run fails. */
-static double ms_pme__bad_derivative(ms_pme__run *run, int j)
-{
-    run->bad = j;
-    ms_pme__fail(run, MS_BAD_DATA);
-    return MS_PME__INF;
-}
-
-/* Residual and Jacobian at x; returns |r|. known: |r|, if trial_residual holds the residuals at x; else infinite. */
-static double ms_pme__linearize(ms_pme__run *run, const double *x, double known)
-{
-    const ms_pme_function *function = run->function;
-    int n = run->n, j, side;
-    size_t i, size = run->m * (size_t)n;
-    double norm = known, h, *column;
-    if (!function->residuals_only) {
-        if (ms_pme__charge(run, run->jacobian_cost)) return MS_PME__INF;
-        run->result.jacobians++;
-        if (ms_pme__fail(run, function->residuals(function->user, x, run->residual, run->jacobian))) return MS_PME__INF;
-        norm = ms_pme__norm(run->residual, run->m);
-        for (i = 0; i < size && ms__finite(norm); ++i)
-            if (!ms__finite(run->jacobian[i])) return ms_pme__bad_derivative(run, (int)(i % (size_t)n));
-        return ms_pme__record(run, x, norm);
+    const double typical = run->typical[j], above = run->high[j] - x[j], below = x[j] - run->low[j];
+    double h, value = MS_PME__INF, *column = run->jacobian + j;
+    int side;
+    size_t i;
+    if (run->match) h = 1e-3 * typical;
+    else h = 1.5e-8 * ms_pme__max(fabs(x[j]), 1e-2 * typical); /* sqrt(DBL_EPSILON) */
+    if (!(h > 1e-15 * fabs(x[j]))) h = 1e-15 * fabs(x[j]) + DBL_MIN;
+    if (h > above && below > above) h = -h;
+    for (side = 0; side < 2 && !ms__finite(value); ++side) {
+        ms_pme__copy(run->moved, x, run->n);
+        run->moved[j] = ms_pme__clip(side == 0 ? x[j] + h : x[j] - h, run->low[j], run->high[j]);
+        h = run->moved[j] - x[j];
+        if (!(h < 0) && !(h > 0)) break;
+        value = ms_pme__evaluate(run, run->moved, 0);
     }
-    if (!ms__finite(norm)) norm = ms_pme__value(run, x);
-    memcpy(run->residual, run->trial_residual, run->m * sizeof(double));
-    for (j = 0; j < n && ms__finite(norm); ++j) {
-        h = ms_pme__difference_step(run, x[j], j);
-        for (side = 0; side < 2; ++side, h = -h) { /* the other side if one is not finite */
-            double value;
-            ms_pme__copy(run->moved, x, n);
-            run->moved[j] = ms_pme__clip(x[j] + h, run->lower[j], run->upper[j]);
-            h = run->moved[j] - x[j];
-            if (!(h < 0) && !(h > 0)) break;
-            value = ms_pme__value(run, run->moved);
-            if (run->stopped) return MS_PME__INF;
-            if (ms__finite(value)) break;
+    for (i = 0; i < run->m; ++i, column += run->n)
+        *column = h < 0 || h > 0 ? (run->trial_residual[i] - run->residual[i]) / h : 0;
+}
+
+/* The linear model at x: the triangle and the norms of its columns, of size 1 whatever the units of x and r are.
+   Returns |r|, infinite if there is no model. */
+static double ms_pme__linearize(ms_pme__run *run, const double *x)
+{
+    const int n = run->n, w = n + 1;
+    double norm, *rows = run->work; /* [n + 1][ROWS] of J and r, as columns */
+    size_t row;
+    int i, j;
+
+    /* r and J */
+    if (!run->function->residuals_only) {
+        norm = ms_pme__evaluate(run, x, 1);
+    } else {
+        norm = run->trial == x ? ms_pme__norm(run->trial_residual, run->m) : ms_pme__evaluate(run, x, 0);
+        memcpy(run->residual, run->trial_residual, run->m * sizeof(double));
+        for (j = 0; j < n && ms__finite(norm) && !run->stopped; ++j) ms_pme__difference(run, x, j);
+    }
+    if (run->stopped || !ms__finite(norm)) return MS_PME__INF;
+
+    /* the units of the columns */
+    memset(run->unit, 0, sizeof run->unit);
+    for (row = 0; row < run->m; ++row)
+        for (j = 0; j < n; ++j) {
+            const double slope = run->jacobian[row * (size_t)n + (size_t)j];
+            if (ms__finite(slope)) run->unit[j] = ms_pme__max(run->unit[j], fabs(slope));
+            else if (run->bad == 0) run->bad = j + 1;
         }
-        if (side == 2) return ms_pme__bad_derivative(run, j);
-        for (i = 0, column = run->jacobian + j; i < run->m; ++i, column += n) {
-            *column = h < 0 || h > 0 ? (run->trial_residual[i] - run->residual[i]) / h : 0;
-            if (!ms__finite(*column)) return ms_pme__bad_derivative(run, j);
+    if (run->bad != 0) {
+        ms_pme__fail(run, MS_BAD_DATA);
+        return MS_PME__INF;
+    }
+    for (j = 0; j < n; ++j)
+        if (!(run->unit[j] > 0)) run->unit[j] = 1;
+
+    /* R and Q'(-r), and what follows from them */
+    memset(run->triangle, 0, (size_t)(w * w) * sizeof(double));
+    for (row = 0; row < run->m;) {
+        int k = run->m - row < MS_PME__ROWS ? (int)(run->m - row) : MS_PME__ROWS;
+        for (i = 0; i < k; ++i, ++row) {
+            const double *from = run->jacobian + row * (size_t)n;
+            for (j = 0; j < n; ++j) rows[j * MS_PME__ROWS + i] = from[j] / run->unit[j];
+            rows[n * MS_PME__ROWS + i] = norm > 0 ? -run->residual[row] / norm : 0;
         }
+        ms_pme__qr_append(run->triangle, n, rows, k);
+    }
+    for (j = 0; j < n; ++j) {
+        double square = 0;
+        for (i = 0; i <= j; ++i) square += run->triangle[i * w + j] * run->triangle[i * w + j];
+        run->column[j] = sqrt(square);
     }
     return norm;
-}
-
-/* Does a bound of x_j stop the descent along -gradient? */
-static int ms_pme__active(const ms_pme__run *run, const double *x, int j)
-{
-    return (x[j] <= run->lower[j] && run->gradient[j] >= 0) || (x[j] >= run->upper[j] && run->gradient[j] <= 0);
 }
 
 /* ---- bounded least squares ------------------------------------------------------------------------------------- */
@@ -731,175 +724,85 @@ static void ms_pme__solve_free(const double *triangle, int n, const double *weig
 /* d [n] minimizes |R d - b|^2 + sum (weight_j d_j)^2 over low <= d <= high, low <= 0 <= high: the active-set method of
    Stark and Parker (1995), finite and exact; each set is a QR factorization. To need few of them, it begins with
    rounds in which all parameters that should change sides do so together. state in: a guess of the active set (0 free,
-   -1 at low, 1 at high); out: the active set. z [n]; the others as above. */
-static void ms_pme__bounded_least_squares(const double *triangle, int n, const double *weight, const double *low,
-                                          const double *high, double *d, int *state, double *z, double *work)
+   -1 at low, 1 at high); out: the active set. z [n]; the others as above. Returns |b|^2 - |R d - b|^2. */
+static double ms_pme__bounded_least_squares(const double *triangle, int n, const double *weight, const double *low,
+                                            const double *high, double *d, int *state, double *z, double *work)
 {
-    int w = n + 1, change, i, j, released = -1;
+    int w = n + 1, released = -1, round, i, j;
+    double decrease = 0, *rest = z, *size = work; /* b - R d, and the size of its terms */
     for (j = 0; j < n; ++j) d[j] = state[j] < 0 ? low[j] : state[j] > 0 ? high[j] : 0;
-    for (change = 0; change < 4 * n + 8 + MS_PME__TOGETHER; ++change) {
-        const int together = change < MS_PME__TOGETHER;
-        int worst = -1, hit = -1;
-        double alpha = 1, steepest = 0, *size = work;
+    for (round = 0; round < 4 * n + 8 + MS_PME__TOGETHER; ++round) {
+        const int together = round < MS_PME__TOGETHER;
+        double alpha = 1, steepest = 0;
+        int hit = -1, freed = -1;
         ms_pme__solve_free(triangle, n, weight, state, d, z, work);
-        for (j = 0; j < n; ++j) { /* the first bound on the way from d to z */
-            double limit, t;
+
+        /* towards z: as far as the first bound, or across all of them */
+        for (j = 0; j < n; ++j) {
+            const double way = z[j] - d[j], t = way < 0 ? (low[j] - d[j]) / way : way > 0 ? (high[j] - d[j]) / way : 1;
             if (state[j] != 0 || (z[j] >= low[j] && z[j] <= high[j])) continue;
-            limit = z[j] < low[j] ? low[j] : high[j];
-            if (together) {
-                state[j] = z[j] < low[j] ? -1 : 1;
-                d[j] = limit;
-                hit = j;
-                continue;
-            }
-            t = z[j] < d[j] || z[j] > d[j] ? (limit - d[j]) / (z[j] - d[j]) : 0;
-            if (t < alpha || hit < 0) {
-                alpha = ms_pme__clip(t, 0, 1);
-                hit = j;
-            }
+            if (hit < 0 || t < alpha) hit = j;
+            if (!together && t < alpha) alpha = ms_pme__max(t, 0);
         }
-        for (j = 0; j < n; ++j)
-            if (state[j] == 0) d[j] = ms_pme__clip(d[j] + alpha * (z[j] - d[j]), low[j], high[j]);
-        if (hit >= 0 && together) continue;
-        if (hit >= 0) {
-            state[hit] = z[hit] < low[hit] ? -1 : 1;
-            d[hit] = state[hit] < 0 ? low[hit] : high[hit];
-            if (hit == released && !(alpha > 1e-12)) break; /* rounding frees it again and again */
-            released = -1;
-            continue;
+        for (j = 0; j < n; ++j) {
+            if (state[j] != 0) continue;
+            d[j] = ms_pme__clip(d[j] + alpha * (z[j] - d[j]), low[j], high[j]);
+            if (together || j == hit) state[j] = z[j] < low[j] ? -1 : z[j] > high[j] ? 1 : 0;
+            if (state[j] != 0) d[j] = state[j] < 0 ? low[j] : high[j];
         }
-        for (i = 0; i < n; ++i) { /* z: b - R d, and the size of its terms */
-            const double *row = triangle + i * w;
-            z[i] = row[n] - ms_pme__dot(row + i, d + i, n - i);
+        if (hit >= 0 && hit == released && !(alpha > 1e-12)) break; /* rounding frees it again and again */
+        released = -1;
+        if (hit >= 0) continue;
+
+        /* the multipliers of the active bounds: the most negative one is freed, or all such */
+        for (decrease = 0, i = 0; i < n; ++i) {
+            const double *row = triangle + i * w, moved = ms_pme__dot(row + i, d + i, n - i);
+            rest[i] = row[n] - moved;
+            decrease += moved * (2 * row[n] - moved);
             for (size[i] = fabs(row[n]), j = i; j < n; ++j) size[i] += fabs(row[j] * d[j]);
         }
-        for (j = 0; j < n; ++j) { /* the multipliers of the active bounds: the most negative one is freed */
-            double t = -weight[j] * weight[j] * d[j], terms = fabs(t), push;
+        for (j = 0; j < n; ++j) {
+            double slope = -weight[j] * weight[j] * d[j], terms = fabs(slope), push;
             if (state[j] == 0 || !(low[j] < high[j])) continue;
             for (i = 0; i <= j; ++i) {
-                t += triangle[i * w + j] * z[i];
+                slope += triangle[i * w + j] * rest[i];
                 terms += fabs(triangle[i * w + j]) * size[i];
             }
-            push = state[j] < 0 ? t : -t;
-            if (push > 1e-14 * terms && push > steepest) {
-                steepest = together ? 0 : push;
-                worst = j;
-                if (together) state[j] = 0;
-            }
+            push = -state[j] * slope;
+            if (!(push > 1e-14 * terms) || (!together && push <= steepest)) continue;
+            steepest = push;
+            freed = j;
+            if (together) state[j] = 0;
         }
-        if (worst < 0) break;
-        released = worst;
-        state[worst] = 0;
+        if (freed < 0) break;
+        released = freed;
+        state[freed] = 0;
     }
+    return decrease;
 }
 
 /* ---- Levenberg-Marquardt --------------------------------------------------------------------------------------- */
 
-/* A local solver between two steps. Derivatives belong to the run: a step begins with them. */
-typedef struct ms_pme__solver {
-    double norm, lambda, growth;
-    double known;      /* |r|, if run->trial_residual still holds the residuals at x; else infinite */
-    int done;          /* converged, or not finite */
-    double *x, *scale; /* [n] the last accepted point; scale of the trust region, a norm of a column of J */
-} ms_pme__solver;
-
-static void ms_pme__solver_init(ms_pme__solver *solver, double *point, const double *x, int n)
-{
-    memset(solver, 0, sizeof *solver);
-    solver->x = point;
-    solver->scale = point + n;
-    ms_pme__copy(solver->x, x, n);
-    memset(solver->scale, 0, (size_t)n * sizeof(double));
-    solver->lambda = 1e-3;
-    solver->growth = 2;
-    solver->norm = solver->known = MS_PME__INF;
-}
-
-/* The norm of column j of J / unit: between 1 and sqrt(m), or 0. */
-static double ms_pme__column_norm(const ms_pme__run *run, int j)
-{
-    double sum = 0;
-    int i, w = run->n + 1;
-    for (i = 0; i <= j; ++i) sum += run->triangle[i * w + j] * run->triangle[i * w + j];
-    return sqrt(sum);
-}
-
-/* The triangle and the gradient: R of J / unit, Q'(-r) / |r|. All are of size 1, whatever the units of x and r are. */
-static void ms_pme__factor(ms_pme__run *run, double norm)
-{
-    int n = run->n, w = n + 1, i, j;
-    double *rows = run->work; /* [n + 1][ROWS] of the Jacobian and the residual, as columns */
-    size_t row;
-    for (j = 0; j < n; ++j) run->unit[j] = 0;
-    for (row = 0; row < run->m; ++row)
-        for (j = 0; j < n; ++j)
-            run->unit[j] = ms_pme__max(run->unit[j], fabs(run->jacobian[row * (size_t)n + (size_t)j]));
-    for (j = 0; j < n; ++j)
-        if (!(run->unit[j] > 0)) run->unit[j] = 1;
-    memset(run->triangle, 0, (size_t)(w * w) * sizeof(double));
-    for (row = 0; row < run->m;) {
-        int k = run->m - row < MS_PME__ROWS ? (int)(run->m - row) : MS_PME__ROWS;
-        for (i = 0; i < k; ++i, ++row) {
-            const double *from = run->jacobian + row * (size_t)n;
-            for (j = 0; j < n; ++j) rows[j * MS_PME__ROWS + i] = from[j] / run->unit[j];
-            rows[n * MS_PME__ROWS + i] = norm > 0 ? -run->residual[row] / norm : 0;
-        }
-        ms_pme__qr_append(run->triangle, n, rows, k);
-    }
-    for (j = 0; j < n; ++j) {
-        double t = 0;
-        for (i = 0; i <= j; ++i) t -= run->triangle[i * w + j] * run->triangle[i * w + n];
-        run->gradient[j] = t;
-    }
-}
-
-/* What is kept of the trust region's scale at each step. 1 is More 1978's, which columns that shrink by many orders
-   defeat (MGH10 of NIST); small values forget scales that are still needed. */
-#define MS_PME__SCALE_DECAY 0.7
-
-/* Derivatives at the solver's point and the scale of its trust region: the present column norms, or what is left of
-   larger ones. In a match all parameters have a range; then the scale is the present column norm, at least 0.3 of the
-   largest (both for a step across the range), so that parameters with little effect do not run off to their bounds. */
+/* The linear model at the solver's point and the scale of its trust region: the present column norms, or what is left
+   of larger ones, 0.7 a step: 1 is More 1978's, which columns that shrink by many orders defeat (MGH10 of NIST); small
+   values forget scales that are still needed. In a match: the present column norm, at least 0.3 of the largest (both
+   for a step across the range), so that parameters with little effect do not run off to their bounds. */
 static void ms_pme__solver_linearize(ms_pme__run *run, ms_pme__solver *solver)
 {
-    int n = run->n, j;
-    double largest = 0, cosine = 0; /* cosine: the largest between the residual and a column that may move */
-    solver->norm = ms_pme__linearize(run, solver->x, solver->known);
-    solver->known = MS_PME__INF;
-    solver->done = !ms__finite(solver->norm) || !(solver->norm > 0);
-    if (solver->done) return;
-    ms_pme__factor(run, solver->norm);
-    for (j = 0; j < n && run->boxed; ++j)
-        largest = ms_pme__max(largest, (run->upper[j] - run->lower[j]) * run->unit[j] * ms_pme__column_norm(run, j));
-    for (j = 0; j < n; ++j) {
-        double range = run->upper[j] - run->lower[j], norm = ms_pme__column_norm(run, j);
-        solver->scale[j] = ms_pme__max(run->unit[j] * norm,
-                                       !run->boxed     ? MS_PME__SCALE_DECAY * solver->scale[j]
-                                           : range > 0 ? 0.3 * largest / range
-                                                       : 0);
-        if (!ms_pme__active(run, solver->x, j) && norm > 0) cosine = ms_pme__max(cosine, fabs(run->gradient[j]) / norm);
+    double largest = 0;
+    int j;
+    if (!(solver->lambda > 0)) solver->lambda = 1e-3;
+    solver->norm = ms_pme__linearize(run, solver->x);
+    solver->done = !ms__finite(solver->norm);
+    for (j = 0; j < run->n && run->match; ++j)
+        largest = ms_pme__max(largest, (run->high[j] - run->low[j]) * run->unit[j] * run->column[j]);
+    for (j = 0; j < run->n && !solver->done; ++j) {
+        double range = run->high[j] - run->low[j], least = 0.7 * run->scale[j], weight;
+        if (run->match) least = range > 0 ? 0.3 * largest / range : 0;
+        run->scale[j] = ms_pme__max(run->unit[j] * run->column[j], least);
+        weight = run->scale[j] > 0 ? run->scale[j] / run->unit[j] : 1;
+        run->weight[j] = weight < 1e100 ? weight : 1e100; /* its square is a number */
     }
-    if (cosine <= 1e-14) solver->done = 1;
-}
-
-/* The weight of a parameter in the trust region, in y = unit x / |r|. 1e100 keeps its square a number. */
-static double ms_pme__step_weight(const ms_pme__run *run, const ms_pme__solver *solver, int j)
-{
-    double weight = solver->scale[j] / run->unit[j];
-    return !(solver->scale[j] > 0) ? 1 : weight < 1e100 ? weight : 1e100;
-}
-
-/* The decrease of the linear model as a fraction of |r|^2: 1 - |r + J d|^2 / |r|^2. */
-static double ms_pme__predicted_decrease(const ms_pme__run *run, const double *d)
-{
-    double sum = 0;
-    int i, n = run->n;
-    for (i = 0; i < n; ++i) {
-        const double *row = run->triangle + i * (n + 1);
-        double t = ms_pme__dot(row + i, d + i, n - i);
-        sum += t * (2 * row[n] - t);
-    }
-    return sum;
 }
 
 /* One step: derivatives, then trials until one is accepted, the solver is done or the run has stopped. A trial solves
@@ -910,32 +813,29 @@ static void ms_pme__solver_step(ms_pme__run *run, ms_pme__solver *solver)
 {
     int n = run->n, j, state[MS_PME_PARAMETERS_MAX];
     double *trial = run->work, *d = trial + n, *low = d + n, *high = low + n, *z = high + n, *damping = z + n,
-           *work = damping + n, *x = solver->x, longest = MS_PME__INF;
+           *work = damping + n, *x = solver->x, longest = MS_PME__INF, growth = 2;
     ms_pme__solver_linearize(run, solver);
     while (!solver->done && !run->stopped) {
-        double predicted, decrease, norm, ratio, t, step = 0, size = 0;
+        double predicted, decrease, norm, t, step = 0, size = 0;
         int finite = 1;
 
-        /* the damped problem: its solution d, and the bounds that it is at */
+        /* the damped problem: its solution d, and the bounds that it is at; first those of x */
         for (j = 0; j < n; ++j) {
-            low[j] = (run->lower[j] - x[j]) * run->unit[j] / solver->norm;
-            high[j] = (run->upper[j] - x[j]) * run->unit[j] / solver->norm;
-            damping[j] = sqrt(solver->lambda) * ms_pme__step_weight(run, solver, j);
-            state[j] = !ms_pme__active(run, x, j) ? 0 : low[j] >= 0 ? -1 : 1;
+            low[j] = (run->low[j] - x[j]) * run->unit[j] / solver->norm;
+            high[j] = (run->high[j] - x[j]) * run->unit[j] / solver->norm;
+            damping[j] = sqrt(solver->lambda) * run->weight[j];
+            state[j] = low[j] >= 0 ? -1 : high[j] <= 0;
         }
-        ms_pme__bounded_least_squares(run->triangle, n, damping, low, high, d, state, z, work);
+        predicted = ms_pme__bounded_least_squares(run->triangle, n, damping, low, high, d, state, z, work);
 
         /* the trial, and the lengths of step and point in the metric of the trust region */
         for (j = 0; j < n; ++j) {
-            double weight = ms_pme__step_weight(run, solver, j);
-            trial[j] = state[j] < 0 ? run->lower[j]
-                : state[j] > 0      ? run->upper[j]
-                               : ms_pme__clip(x[j] + d[j] * solver->norm / run->unit[j], run->lower[j], run->upper[j]);
+            if (state[j] != 0) trial[j] = state[j] < 0 ? run->low[j] : run->high[j];
+            else trial[j] = ms_pme__clip(x[j] + d[j] * solver->norm / run->unit[j], run->low[j], run->high[j]);
             finite &= ms__finite(trial[j]);
-            step += ms_pme__square(weight * d[j]);
-            size += ms_pme__square(weight * (x[j] * run->unit[j] / solver->norm));
+            step += ms_pme__square(run->weight[j] * d[j]);
+            size += ms_pme__square(run->weight[j] * (x[j] * run->unit[j] / solver->norm));
         }
-        predicted = ms_pme__predicted_decrease(run, d);
         if (!(predicted > 1e-15) || step <= 1e-30 * size || !(solver->lambda < 1e60)) {
             solver->done = 1; /* rounding would swallow any further decrease */
             break;
@@ -943,81 +843,83 @@ static void ms_pme__solver_step(ms_pme__run *run, ms_pme__solver *solver)
 
         /* accepted, if f decreases by a ten-thousandth of what the model promises */
         if (step <= longest && finite) {
-            norm = ms_pme__value(run, trial);
-            ratio = norm / solver->norm;
-            decrease = ms__finite(norm) ? (1 - ratio) * (1 + ratio) : -1;
+            norm = ms_pme__evaluate(run, trial, 0);
+            decrease = ms__finite(norm) ? (1 - norm / solver->norm) * (1 + norm / solver->norm) : -1;
             if (decrease > 1e-4 * predicted) {
                 solver->done = (decrease <= run->tolerance && predicted <= run->tolerance) ||
                     step <= run->tolerance * run->tolerance * size;
                 t = 2 * decrease / predicted - 1;
                 solver->lambda = ms_pme__max(solver->lambda * ms_pme__max(0.1, 1 - t * t * t), 1e-16);
-                solver->growth = 2;
                 ms_pme__copy(x, trial, n);
-                solver->norm = solver->known = norm;
+                solver->norm = norm;
+                run->trial = x;
                 run->result.steps++;
                 break;
             }
             if (!ms__finite(norm)) longest = step / 16;
         }
-        solver->lambda *= solver->growth;
-        solver->growth *= 2;
+        solver->lambda *= growth;
+        growth *= 2;
+    }
+}
+
+/* ---- multistart ------------------------------------------------------------------------------------------------ */
+
+/* Moves the last solver up to its place by |r|. */
+static void ms_pme__rank(ms_pme__solver *solvers, int last)
+{
+    for (; last > 0 && solvers[last].norm < solvers[last - 1].norm; --last) {
+        ms_pme__solver better = solvers[last];
+        solvers[last] = solvers[last - 1];
+        solvers[last - 1] = better;
     }
 }
 
 static void ms_pme__solver_iterate(ms_pme__run *run, ms_pme__solver *solver, int steps)
 {
+    memset(run->scale, 0, sizeof run->scale);
     while (steps-- > 0 && !solver->done && !run->stopped) ms_pme__solver_step(run, solver);
-    solver->known = MS_PME__INF; /* another solver may evaluate in between */
 }
 
-/* ---- multistart ------------------------------------------------------------------------------------------------ */
-
-/* Uniform in the box; a side without a bound ends max(|center|, typical) away from the center. */
-static void ms_pme__random_point(ms_pme__run *run, const double *center, double *x)
+/* Uniform in the box (a side without a bound ends max(|center|, typical) away from the center), or in one of that size
+   around the center. */
+static void ms_pme__random_point(ms_pme__run *run, const double *center, int around, double *x)
 {
     int j;
     for (j = 0; j < run->n; ++j) {
         double reach = ms_pme__max(fabs(center[j]), run->typical[j]), u = ms_pme__uniform(&run->random);
-        double low = ms__finite(run->lower[j]) ? run->lower[j] : center[j] - reach;
-        double high = ms__finite(run->upper[j]) ? run->upper[j] : center[j] + reach;
-        x[j] = ms_pme__clip((1 - u) * low + u * high, run->lower[j], run->upper[j]);
+        double low = ms__finite(run->low[j]) ? run->low[j] : center[j] - reach;
+        double high = ms__finite(run->high[j]) ? run->high[j] : center[j] + reach;
+        x[j] = around ? center[j] + (u - 0.5) * (high - low) : (1 - u) * low + u * high;
+        x[j] = ms_pme__clip(x[j], run->low[j], run->high[j]);
     }
 }
 
-/* Levenberg-Marquardt from starts [count][n], the best first, with restarts + 1 starts at most. Successive halving:
-   start (budget in steps) / 5 solvers, keep the best third every 3 steps, finish the winner. While cost is left: the
-   other starts at a loose tolerance, finished if they improve; then random points, every second one around the best. */
-static void ms_pme__multistart(ms_pme__run *run, const double *starts, int count)
+/* Levenberg-Marquardt from the first `count` solvers' points, the best first, with restarts + 1 starts at most.
+   Successive halving: start (budget in steps) / 5 solvers, keep the best third every 3 steps, finish the winner. While
+   cost is left: the other starts at a loose tolerance, finished if they improve; then random points, every second one
+   around the best. */
+static void ms_pme__multistart(ms_pme__run *run, int count)
 {
-    ms_pme__solver solvers[MS_PME__SOLVERS], solver;
+    ms_pme__solver *solvers = run->solvers;
     const int64_t restarts = run->options->restarts;
-    int n = run->n, i, j, given = restarts < count ? (int)restarts + 1 : count, alive;
+    const int given = restarts < count ? (int)restarts + 1 : count;
+    const double tolerance = run->tolerance, steps = (run->max_cost - run->result.cost) / (1 + run->derivatives_cost);
     int64_t start;
-    double tolerance = run->tolerance, *x = run->work;
-    double steps = (run->max_cost - run->result.cost) / ms_pme__step_cost(run);
-    for (i = 0; i < given; ++i)
-        ms_pme__solver_init(&solvers[i], run->point + 2 * n * i, starts + (size_t)i * (size_t)n, n);
+    int i, alive;
     for (alive = steps / 5 < given ? (int)(steps / 5) : given; alive > 1; alive = alive > 3 ? (alive + 2) / 3 : 1) {
         for (i = 0; i < alive; ++i) ms_pme__solver_iterate(run, &solvers[i], 3);
-        for (i = 1; i < alive; ++i)
-            for (j = i; j > 0 && solvers[j].norm < solvers[j - 1].norm; --j) {
-                solver = solvers[j];
-                solvers[j] = solvers[j - 1];
-                solvers[j - 1] = solver;
-            }
+        for (i = 1; i < alive; ++i) ms_pme__rank(solvers, i);
     }
     for (start = 0; start <= restarts && !run->stopped; ++start) {
-        double best = run->best_norm;
+        const double best = run->best_norm;
         ms_pme__solver *next = &solvers[start < given ? (int)start : given - 1];
-        if (start > 0) run->tolerance = ms_pme__max(tolerance, 1e-3);
         if (start >= given) {
-            if (start % 2 != 0 || !run->boxed) ms_pme__random_point(run, run->best, x);
-            for (j = 0; j < n && start % 2 == 0 && run->boxed; ++j)
-                x[j] = ms_pme__clip(run->best[j] +
-                                        (ms_pme__uniform(&run->random) - 0.5) * (run->upper[j] - run->lower[j]),
-                                    run->lower[j], run->upper[j]);
-            ms_pme__solver_init(next, next->x, x, n);
+            ms_pme__random_point(run, run->best, start % 2 == 0 && run->match, next->x);
+            next->lambda = 0;
+            next->done = 0;
         }
+        if (start > 0) run->tolerance = ms_pme__max(tolerance, 1e-3);
         ms_pme__solver_iterate(run, next, INT_MAX);
         run->tolerance = tolerance;
         if (start > 0 && run->best_norm < best && ms__finite(next->norm)) {
@@ -1028,7 +930,119 @@ static void ms_pme__multistart(ms_pme__run *run, const double *starts, int count
     run->result.value = ms_pme__square(run->best_norm);
 }
 
-/* ---- public: minimize ------------------------------------------------------------------------------------------ */
+/* ---- minimize -------------------------------------------------------------------------------------------------- */
+
+static ms_status ms_pme__null(const char *name, ms_error *error)
+{
+    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", name);
+}
+
+/* Non-zero, and the sentence, if the value is not one from low to high. */
+static int ms_pme__outside(const char *name, double value, double low, double high, ms_error *error)
+{
+    if (value >= low && value <= high) return 0;
+    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g, expected %g to %g", name, value, low, high) != MS_OK;
+}
+
+/* A match beside its run. f is RMSE^2, from the picture or the reduced function, and the pulls: one residual each. */
+typedef struct ms_pme__objective {
+    ms_pme_function function;
+    const ms_pme_renderer *renderer;
+    const ms_pme_match_options *options;
+    const float *target, *weight;
+    double weight_sum, size; /* size: root mean square of the target */
+    size_t m, compared;      /* residuals without pulls; values with a weight */
+    int n, given, total;     /* parameters; candidates: predicted and the caller's, with the random ones */
+    float *image, *jacobian; /* [p], [p][n] */
+} ms_pme__objective;
+
+/* The one block of memory: arrays of a run, and of a match (o, or NULL). */
+static ms_status ms_pme__allocate(ms_pme__run *run, ms_pme__objective *o, ms_error *error)
+{
+    const size_t n = (size_t)run->n, m = run->m, points = n * (MS_PME__SOLVERS + 1), square = (n + 1) * (n + 1),
+                 step = 6 * n + (n + 1) * (n + 1 + MS_PME__ROWS), pixels = o ? o->renderer->image_size : 0,
+                 slopes = o && !o->renderer->reduced ? n : 0;
+    size_t i, doubles = ms__size_add(ms__size_mul(m, n + 2), points + square + step);
+    run->block_size = ms__size_add(ms__size_mul(doubles, sizeof(double)),
+                                   ms__size_mul(ms__size_mul(pixels, 1 + slopes), sizeof(float)));
+    run->block = ms__alloc(&run->options->allocator, run->block_size);
+    if (run->block == NULL)
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %z residuals times %d parameters", m, run->n);
+    run->jacobian = (double *)run->block;
+    run->residual = run->jacobian + m * n;
+    run->trial_residual = run->residual + m;
+    run->triangle = run->trial_residual + m;
+    run->work = run->triangle + square;
+    for (i = 0; i <= MS_PME__SOLVERS; ++i) run->solvers[i].x = run->work + step + i * n;
+    if (o == NULL) return MS_OK;
+    o->image = (float *)(run->work + step + points);
+    o->jacobian = o->image + pixels;
+    return MS_OK;
+}
+
+/* Checks and sets up a run; its block is to be released. x: the start, or NULL. o: the match, or NULL. */
+static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function, const ms_pme_options *options,
+                               const double *x, ms_pme__objective *o, ms_error *error)
+{
+    const int n = function->parameter_count;
+    double start;
+    int j;
+    if (function->residuals == NULL) return ms_pme__null("function->residuals", error);
+    if (ms_pme__outside("parameter_count", n, 1, MS_PME_PARAMETERS_MAX, error) ||
+        ms_pme__outside("residual_count", (double)function->residual_count, 1, (double)SIZE_MAX, error) ||
+        ms_pme__outside("max_cost", options->max_cost, 0, 1e300, error) ||
+        ms_pme__outside("tolerance", options->tolerance, 0, 1e300, error) ||
+        ms_pme__outside("restarts", options->restarts, 0, INT_MAX, error) ||
+        ms_pme__outside("jacobian_cost", function->jacobian_cost, 0, 1e300, error))
+        return MS_INVALID_ARGUMENT;
+    memset(run, 0, sizeof *run);
+    run->function = function;
+    run->options = options;
+    run->n = n;
+    run->m = function->residual_count;
+    run->match = o != NULL;
+    for (j = 0; j < n; ++j) {
+        const double low = function->lower ? function->lower[j] : o ? 0 : -MS_PME__INF;
+        const double high = function->upper ? function->upper[j] : o ? 1 : MS_PME__INF;
+        if (!(low <= high) || !(low < MS_PME__INF) || !(high > -MS_PME__INF) || (o != NULL && !ms__finite(high - low)))
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)j,
+                            "bounds of parameter %d are %g and %g: no %s between them", j, low, high,
+                            o != NULL ? "finite range" : "number");
+        if (x && !ms__finite(x[j]))
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)j,
+                            "start of parameter %d is %g, expected a finite number", j, x[j]);
+        start = x != NULL ? ms_pme__clip(x[j], low, high) : 0;
+        run->typical[j] = ms__finite(high - low) ? high - low : fabs(start) > 0 ? fabs(start) : 1;
+        run->low[j] = low;
+        run->high[j] = high;
+    }
+    run->tolerance = options->tolerance > 0 ? options->tolerance : 1e-10;
+    run->derivatives_cost = function->jacobian_cost > 0 ? function->jacobian_cost : 1 + 0.25 * n;
+    if (function->residuals_only) run->derivatives_cost = n;
+    run->max_cost = o != NULL ? ms_pme__max(50, 8 * (1 + run->derivatives_cost))
+                              : ms_pme__max(1000, 20 * (1 + run->derivatives_cost));
+    if (options->max_cost > 0) run->max_cost = options->max_cost;
+    run->best_norm = MS_PME__INF;
+    run->random = options->seed;
+    run->random = ms_pme__random(&run->random); /* seeds that follow each other start apart */
+    return ms_pme__allocate(run, o, error);
+}
+
+/* MS_OK, or the status of a run that failed, and its sentence. */
+static ms_status ms_pme__verdict(const ms_pme__run *run, ms_error *error)
+{
+    double cost = run->result.cost;
+    const int bad = run->bad - 1;
+    if (bad >= 0) return ms__fail(error, MS_BAD_DATA, (size_t)bad, "a derivative by parameter %d is not finite", bad);
+    if (run->status != MS_OK) return ms__fail(error, run->status, 0, "a callback failed after %g evaluations", cost);
+    if (ms__finite(run->best_norm)) return MS_OK;
+    if (run->match)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "no candidate has a finite picture (%g renders)", cost);
+    if (!(cost > 0))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "max_cost is %g: the first derivatives cost %g", run->max_cost,
+                        run->derivatives_cost);
+    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "no finite value within %g evaluations of the start", cost);
+}
 
 MS_API ms_pme_options ms_pme_defaults(void)
 {
@@ -1037,240 +1051,27 @@ MS_API ms_pme_options ms_pme_defaults(void)
     return options;
 }
 
-static ms_status ms_pme__null(const char *name, ms_error *error)
-{
-    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", name);
-}
-
-static ms_status ms_pme__check_count(int n, ms_error *error)
-{
-    if (n >= 1 && n <= MS_PME_PARAMETERS_MAX) return MS_OK;
-    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter_count is %d, expected 1 to %d", n, MS_PME_PARAMETERS_MAX);
-}
-
-/* x NULL: there is no start. */
-static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_options *options, const double *x,
-                               ms_error *error)
-{
-    static const char *const name[3] = {"max_cost", "tolerance", "jacobian_cost"};
-    const double value[3] = {options->max_cost, options->tolerance, function->jacobian_cost};
-    int j;
-    if (ms_pme__check_count(function->parameter_count, error) != MS_OK) return MS_INVALID_ARGUMENT;
-    if (function->residuals == NULL) return ms_pme__null("function->residuals", error);
-    if (function->residual_count < 1)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "residual_count is 0, expected 1 or more");
-    if (options->restarts < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "restarts is %d, expected 0 or more", options->restarts);
-    for (j = 0; j < 3; ++j)
-        if (!ms__finite(value[j]) || value[j] < 0)
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g, expected 0 (the default) or a number above it",
-                            name[j], value[j]);
-    for (j = 0; j < function->parameter_count; ++j) {
-        double low = function->lower ? function->lower[j] : -MS_PME__INF,
-               high = function->upper ? function->upper[j] : MS_PME__INF;
-        if (!(low <= high) || !(low < MS_PME__INF) || !(high > -MS_PME__INF))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)j,
-                            "bounds of parameter %d are %g and %g: no number between them", j, low, high);
-        if (x != NULL && !ms__finite(x[j]))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)j,
-                            "start of parameter %d is %g, expected a finite number", j, x[j]);
-    }
-    return MS_OK;
-}
-
-static double *ms_pme__doubles(ms__arena *arena, size_t count)
-{
-    return (double *)ms__take(arena, count, sizeof(double));
-}
-
-/* What a match has beside the run. f is RMSE^2, from the picture or the reduced function, and the pulls: one residual
-   each. */
-typedef struct ms_pme__objective {
-    const ms_pme_renderer *renderer;
-    const ms_pme_match_options *options;
-    const float *target, *weight;
-    double weight_sum, size;        /* size: root mean square of the target */
-    size_t m, compared;             /* residuals without pulls; values with a weight */
-    int n, pool_size, given, total; /* parameters; candidates: kept, given, with the random ones */
-    double low[MS_PME_PARAMETERS_MAX], high[MS_PME_PARAMETERS_MAX];
-    float *image, *jacobian;  /* [p], [p][n] */
-    double *pool, *pool_norm; /* [pool_size + 1][n] the best candidates in order, then workspace; |r| of each */
-    double *deviation;        /* [n] */
-} ms_pme__objective;
-
-/* The arrays of a run, and of a match (o, or NULL); called to count with arena->base NULL, then to place. */
-static void ms_pme__layout(ms_pme__run *run, ms_pme__objective *o, ms__arena *arena)
-{
-    size_t n = (size_t)run->n, m = run->m, p, pictures;
-    run->jacobian = ms_pme__doubles(arena, ms__size_mul(m, n));
-    run->residual = ms_pme__doubles(arena, m);
-    run->trial_residual = ms_pme__doubles(arena, m);
-    run->lower = ms_pme__doubles(arena, n);
-    run->upper = ms_pme__doubles(arena, n);
-    run->best = ms_pme__doubles(arena, n);
-    run->typical = ms_pme__doubles(arena, n);
-    run->moved = ms_pme__doubles(arena, n);
-    run->unit = ms_pme__doubles(arena, n);
-    run->triangle = ms_pme__doubles(arena, (n + 1) * (n + 1));
-    run->gradient = ms_pme__doubles(arena, n);
-    run->point = ms_pme__doubles(arena, 2 * n * MS_PME__SOLVERS);
-    run->work = ms_pme__doubles(arena, 6 * n + (n + 1) * (n + 1 + MS_PME__ROWS)); /* of a step */
-    if (o == NULL) return;
-    p = o->renderer->image_size;
-    pictures = o->renderer->reduced || run->function->residuals_only ? 0 : ms__size_mul(p, n);
-    o->pool = ms_pme__doubles(arena, ((size_t)o->pool_size + 1) * n);
-    o->pool_norm = ms_pme__doubles(arena, (size_t)o->pool_size + 1);
-    o->deviation = ms_pme__doubles(arena, n);
-    o->image = (float *)ms__take(arena, p, sizeof(float));
-    o->jacobian = (float *)ms__take(arena, pictures, sizeof(float));
-}
-
-/* The size of each parameter at x: its range, without one |x_j|, or 1 where that is 0. */
-static void ms_pme__set_typical(ms_pme__run *run, const double *x)
-{
-    int j;
-    for (j = 0; j < run->n; ++j) {
-        double range = run->upper[j] - run->lower[j];
-        run->typical[j] = ms__finite(range) ? range : fabs(x[j]) > 0 ? fabs(x[j]) : 1;
-    }
-}
-
-/* Checks and sets up a run and its one block of memory; ms_pme__end releases it. x: the start, or NULL. o: the match,
-   or NULL. */
-static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function, const ms_pme_options *options,
-                               const double *x, ms_pme__objective *o, ms_error *error)
-{
-    ms__arena arena = {NULL, 0};
-    int j;
-    ms_status status = ms_pme__check(function, options, x, error);
-    if (status != MS_OK) return status;
-    memset(run, 0, sizeof *run);
-    run->function = function;
-    run->options = options;
-    run->n = function->parameter_count;
-    run->m = function->residual_count;
-    run->match = o != NULL;
-    run->tolerance = options->tolerance > 0 ? options->tolerance : 1e-10;
-    run->bad = -1;
-    run->jacobian_cost = function->jacobian_cost > 0 ? function->jacobian_cost : 1 + 0.25 * run->n;
-    run->max_cost = o != NULL ? ms_pme__max(50, 8 * ms_pme__step_cost(run))
-                              : ms_pme__max(1000, 20 * ms_pme__step_cost(run));
-    if (options->max_cost > 0) run->max_cost = options->max_cost;
-    run->best_norm = MS_PME__INF;
-    run->random = options->seed;
-    run->random = ms_pme__random(&run->random); /* seeds that follow each other start apart */
-    ms_pme__layout(run, o, &arena);
-    run->block_size = ms__size_add(arena.used, 63);
-    run->block = ms__alloc(&options->allocator, run->block_size);
-    if (run->block == NULL)
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %z residuals times %d parameters", run->m, run->n);
-    arena.base = (char *)run->block + (64 - (uintptr_t)run->block % 64) % 64;
-    arena.used = 0;
-    ms_pme__layout(run, o, &arena);
-    for (j = 0; j < run->n; ++j) {
-        run->lower[j] = function->lower ? function->lower[j] : -MS_PME__INF;
-        run->upper[j] = function->upper ? function->upper[j] : MS_PME__INF;
-        run->best[j] = x == NULL ? 0 : ms_pme__clip(x[j], run->lower[j], run->upper[j]);
-    }
-    ms_pme__set_typical(run, run->best);
-    return MS_OK;
-}
-
-static void ms_pme__end(ms_pme__run *run) { ms__release(&run->options->allocator, run->block, run->block_size); }
-
-/* The sentence of a run that failed; its status. */
-static ms_status ms_pme__failure(const ms_pme__run *run, ms_error *error)
-{
-    double cost = run->result.cost;
-    if (run->status == MS_OK && !(cost > 0))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "max_cost is %g: the first derivatives cost %g", run->max_cost,
-                        ms_pme__step_cost(run) - 1);
-    if (run->status == MS_OK)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "no finite value within %g evaluations of the start", cost);
-    if (run->status == MS_BAD_DATA && run->bad >= 0)
-        return ms__fail(error, MS_BAD_DATA, (size_t)run->bad, "a derivative by parameter %d is not finite", run->bad);
-    return ms__fail(error, run->status, 0, "a callback failed after %g evaluations", cost);
-}
-
 MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_options *options, double *x,
                                  ms_pme_result *result, ms_error *error)
 {
     ms_pme_options defaults = ms_pme_defaults();
     ms_pme__run run;
+    int j;
     ms_status status;
-    if (options == NULL) options = &defaults;
     if (function == NULL) return ms_pme__null("function", error);
     if (x == NULL) return ms_pme__null("x", error);
-    status = ms_pme__begin(&run, function, options, x, NULL, error);
+    status = ms_pme__begin(&run, function, options != NULL ? options : &defaults, x, NULL, error);
     if (status != MS_OK) return status;
-    ms_pme__copy(run.moved, run.best, run.n);
-    ms_pme__multistart(&run, run.moved, 1);
-    if (run.status != MS_OK || !ms__finite(run.best_norm)) {
-        status = ms_pme__failure(&run, error);
-    } else {
-        ms_pme__copy(x, run.best, run.n);
-        if (result != NULL) *result = run.result;
-    }
-    ms_pme__end(&run);
+    for (j = 0; j < run.n; ++j) run.solvers[0].x[j] = ms_pme__clip(x[j], run.low[j], run.high[j]);
+    ms_pme__multistart(&run, 1);
+    status = ms_pme__verdict(&run, error);
+    if (status == MS_OK) ms_pme__copy(x, run.best, run.n);
+    if (status == MS_OK && result != NULL) *result = run.result;
+    ms__release(&run.options->allocator, run.block, run.block_size);
     return status;
 }
 
-/* ---- match: objective ------------------------------------------------------------------------------------------ */
-
-static double ms_pme__weight(const ms_pme__objective *o, size_t i) { return o->weight ? (double)o->weight[i] : 1; }
-
-static double ms_pme__pull(const ms_pme__objective *o, int j) { return o->options->pull ? o->options->pull[j] : 0; }
-
-/* r_i = sqrt(w_i / sum w) (phi_i - t_i) */
-static ms_status ms_pme__picture_residuals(ms_pme__objective *o, const double *x, double *r, double *jacobian)
-{
-    const ms_pme_renderer *renderer = o->renderer;
-    size_t i, j, n = (size_t)o->n;
-    ms_status status = jacobian == NULL ? renderer->render(renderer->user, x, o->image)
-                                        : renderer->jacobian(renderer->user, x, o->image, o->jacobian);
-    for (i = 0; i < renderer->image_size && status == MS_OK; ++i) {
-        double w = ms_pme__weight(o, i), s = w > 0 ? sqrt(w / o->weight_sum) : 0;
-        r[i] = w > 0 ? s * ((double)o->image[i] - (double)o->target[i]) : 0;
-        for (j = 0; j < n && jacobian != NULL; ++j)
-            jacobian[i * n + j] = w > 0 ? s * (double)o->jacobian[i * n + j] : 0;
-    }
-    return status;
-}
-
-static ms_status ms_pme__objective_residuals(void *user, const double *x, double *r, double *jacobian)
-{
-    ms_pme__objective *o = (ms_pme__objective *)user;
-    const ms_pme_function *reduced = o->renderer->reduced;
-    double scale = 1 / sqrt(o->weight_sum);
-    size_t i, n = (size_t)o->n, row = o->m;
-    int j;
-    ms_status status;
-    if (reduced == NULL) {
-        status = ms_pme__picture_residuals(o, x, r, jacobian);
-    } else {
-        status = reduced->residuals(reduced->user, x, r, jacobian);
-        for (i = 0; i < o->m && status == MS_OK; ++i) r[i] *= scale;
-        for (i = 0; i < o->m * n && jacobian && status == MS_OK; ++i) jacobian[i] *= scale;
-    }
-    for (j = 0; j < o->n && status == MS_OK; ++j) { /* sqrt(pull) (x_j - source_j) */
-        double root = sqrt(ms_pme__pull(o, j));
-        if (!(root > 0)) continue;
-        r[row] = root * (x[j] - o->options->source[j]);
-        for (i = 0; i < n && jacobian != NULL; ++i) jacobian[row * n + i] = i == (size_t)j ? root : 0;
-        ++row;
-    }
-    return status;
-}
-
-/* RMSE at x, whose |r| is norm: f without the pulls. */
-static double ms_pme__rmse(const ms_pme__objective *o, const double *x, double norm)
-{
-    double square = ms_pme__square(norm);
-    int j;
-    for (j = 0; j < o->n; ++j)
-        if (ms_pme__pull(o, j) > 0) square -= ms_pme__pull(o, j) * ms_pme__square(x[j] - o->options->source[j]);
-    return sqrt(ms_pme__max(square, 0));
-}
+/* ---- match ----------------------------------------------------------------------------------------------------- */
 
 MS_API ms_pme_renderer ms_pme_renderer_defaults(void)
 {
@@ -1286,34 +1087,100 @@ MS_API ms_pme_match_options ms_pme_match_defaults(void)
     return options;
 }
 
-static ms_status ms_pme__check_match(ms_pme__objective *o, ms_error *error)
+static double ms_pme__weight(const ms_pme__objective *o, size_t i) { return o->weight ? (double)o->weight[i] : 1; }
+
+static double ms_pme__pull(const ms_pme__objective *o, int j) { return o->options->pull ? o->options->pull[j] : 0; }
+
+/* r_i = sqrt(w_i / sum w) (phi_i - t_i), or those of the reduced function; then sqrt(pull_j) (x_j - source_j). */
+static ms_status ms_pme__objective_residuals(void *user, const double *x, double *r, double *jacobian)
+{
+    const ms_pme__objective *o = (const ms_pme__objective *)user;
+    const ms_pme_renderer *renderer = o->renderer;
+    const ms_pme_function *reduced = renderer->reduced;
+    size_t i, j, n = (size_t)o->n, row = o->m;
+    ms_status status;
+    if (reduced != NULL) status = reduced->residuals(reduced->user, x, r, jacobian);
+    else if (jacobian != NULL) status = renderer->jacobian(renderer->user, x, o->image, o->jacobian);
+    else status = renderer->render(renderer->user, x, o->image);
+    if (status != MS_OK) return status;
+    for (i = 0; i < o->m; ++i) {
+        const double w = reduced ? 1 : ms_pme__weight(o, i),
+                     s = reduced ? 1 / sqrt(o->weight_sum) : sqrt(w / o->weight_sum);
+        if (reduced == NULL) r[i] = w > 0 ? (double)o->image[i] - (double)o->target[i] : 0;
+        r[i] *= s;
+        for (j = i * n; j < (i + 1) * n && jacobian != NULL; ++j) {
+            if (reduced == NULL) jacobian[j] = w > 0 ? (double)o->jacobian[j] : 0;
+            jacobian[j] *= s;
+        }
+    }
+    for (i = 0; i < n; ++i) {
+        const double root = sqrt(ms_pme__pull(o, (int)i));
+        if (!(root > 0)) continue;
+        r[row] = root * (x[i] - o->options->source[i]);
+        for (j = 0; j < n && jacobian != NULL; ++j) jacobian[row * n + j] = j == i ? root : 0;
+        ++row;
+    }
+    return MS_OK;
+}
+
+/* RMSE at x, whose |r| is norm: f without the pulls. */
+static double ms_pme__rmse(const ms_pme__objective *o, const double *x, double norm)
+{
+    double square = ms_pme__square(norm);
+    int j;
+    for (j = 0; j < o->n; ++j)
+        if (ms_pme__pull(o, j) > 0) square -= ms_pme__pull(o, j) * ms_pme__square(x[j] - o->options->source[j]);
+    return sqrt(ms_pme__max(square, 0));
+}
+
+/* Checks the arguments and fills the objective. */
+static ms_status ms_pme__objective_init(ms_pme__objective *o, ms_error *error)
 {
     const ms_pme_renderer *renderer = o->renderer;
     const ms_pme_match_options *options = o->options;
+    const ms_pme_function *reduced;
+    ms_pme_function *function = &o->function;
     size_t i;
     if (renderer == NULL) return ms_pme__null("renderer", error);
     if (o->target == NULL) return ms_pme__null("target", error);
     if (renderer->render == NULL) return ms_pme__null("renderer->render", error);
     if (renderer->prediction_count > 0 && renderer->predict == NULL) return ms_pme__null("renderer->predict", error);
-    if (renderer->reduced != NULL && renderer->reduced->residuals == NULL)
-        return ms_pme__null("renderer->reduced->residuals", error);
+    reduced = renderer->reduced;
+    if (reduced != NULL && reduced->residuals == NULL) return ms_pme__null("renderer->reduced->residuals", error);
     if (options->candidate_count > 0 && options->candidates == NULL) return ms_pme__null("options->candidates", error);
     if (options->pull != NULL && options->source == NULL) return ms_pme__null("options->source", error);
-    if (ms_pme__check_count(renderer->parameter_count, error) != MS_OK) return MS_INVALID_ARGUMENT;
-    if (renderer->image_size < 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "image_size is 0, expected 1 or more");
-    if (renderer->prediction_count < 0 || options->candidate_count < 0 || options->random_count < 0 ||
-        renderer->prediction_count > INT_MAX - options->candidate_count)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0,
-                        "prediction_count is %d, candidate_count %d, random_count %d: negative, or too many",
-                        renderer->prediction_count, options->candidate_count, options->random_count);
-    if (renderer->reduced != NULL && renderer->reduced->parameter_count != renderer->parameter_count)
+    if (ms_pme__outside("parameter_count", renderer->parameter_count, 1, MS_PME_PARAMETERS_MAX, error) ||
+        ms_pme__outside("image_size", (double)renderer->image_size, 1, (double)SIZE_MAX, error) ||
+        ms_pme__outside("prediction_count", renderer->prediction_count, 0, INT_MAX, error) ||
+        ms_pme__outside("candidate_count", options->candidate_count, 0, INT_MAX - renderer->prediction_count, error) ||
+        ms_pme__outside("random_count", options->random_count, 0, INT_MAX, error))
+        return MS_INVALID_ARGUMENT;
+    if (reduced != NULL && reduced->parameter_count != renderer->parameter_count)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "reduced->parameter_count is %d, expected %d",
-                        renderer->reduced->parameter_count, renderer->parameter_count);
-    for (i = 0; i < (size_t)renderer->parameter_count; ++i)
+                        reduced->parameter_count, renderer->parameter_count);
+
+    /* the function to minimize, and the counts of candidates */
+    o->n = renderer->parameter_count;
+    o->m = reduced ? reduced->residual_count : renderer->image_size;
+    o->given = renderer->prediction_count + options->candidate_count;
+    o->total = options->random_count < INT_MAX - o->given ? o->given + options->random_count : INT_MAX;
+    function->user = o;
+    function->parameter_count = o->n;
+    function->residual_count = o->m;
+    function->residuals = ms_pme__objective_residuals;
+    function->residuals_only = reduced ? reduced->residuals_only : renderer->jacobian == NULL;
+    function->jacobian_cost = reduced ? reduced->jacobian_cost : renderer->jacobian_cost;
+    function->lower = renderer->lower;
+    function->upper = renderer->upper;
+
+    /* pulls, weights and target */
+    for (i = 0; i < (size_t)o->n; ++i) {
         if (options->pull && (!ms__finite(options->pull[i]) || options->pull[i] < 0 || !ms__finite(options->source[i])))
             return ms__fail(error, MS_INVALID_ARGUMENT, i,
                             "pull %z is %g towards %g, expected finite numbers, the first 0 or more", i,
                             options->pull[i], options->source[i]);
+        function->residual_count += ms_pme__pull(o, (int)i) > 0;
+    }
     for (i = 0; i < renderer->image_size; ++i) {
         double w = ms_pme__weight(o, i), t = (double)o->target[i];
         if (!ms__finite(w) || w < 0)
@@ -1329,156 +1196,95 @@ static ms_status ms_pme__check_match(ms_pme__objective *o, ms_error *error)
     return MS_OK;
 }
 
-/* Bounds, counts, and the function to minimize. */
-static void ms_pme__objective_init(ms_pme__objective *o, ms_pme_function *function)
+/* Candidate i into x: predictions, the caller's, random ones, then the middle of the box. Non-zero if it is finite. */
+static int ms_pme__candidate(ms_pme__run *run, const ms_pme__objective *o, int64_t i, double *x)
 {
     const ms_pme_renderer *renderer = o->renderer;
-    const ms_pme_function *reduced = renderer->reduced;
-    int j;
-    o->n = renderer->parameter_count;
-    o->m = reduced ? reduced->residual_count : renderer->image_size;
-    o->given = renderer->prediction_count + o->options->candidate_count;
-    o->total = o->options->random_count < INT_MAX - o->given ? o->given + o->options->random_count : INT_MAX;
-    o->pool_size = o->total < 1 ? 1 : o->total < MS_PME__SOLVERS ? o->total : MS_PME__SOLVERS;
-    memset(function, 0, sizeof *function);
-    function->residual_count = o->m;
-    for (j = 0; j < o->n; ++j) {
-        o->low[j] = renderer->lower ? renderer->lower[j] : 0;
-        o->high[j] = renderer->upper ? renderer->upper[j] : 1;
-        function->residual_count += ms_pme__pull(o, j) > 0;
-    }
-    function->user = o;
-    function->parameter_count = o->n;
-    function->residuals = ms_pme__objective_residuals;
-    function->residuals_only = reduced ? reduced->residuals_only : renderer->jacobian == NULL;
-    function->jacobian_cost = reduced ? reduced->jacobian_cost : renderer->jacobian_cost;
-    function->lower = o->low;
-    function->upper = o->high;
-}
-
-/* ---- match: stages --------------------------------------------------------------------------------------------- */
-
-/* Candidate i into x: predictions, the caller's, random ones, then the middle of the box (0 where there is none). */
-static void ms_pme__candidate(ms_pme__run *run, const ms_pme__objective *o, int64_t i, double *x)
-{
-    const ms_pme_renderer *renderer = o->renderer;
-    int n = run->n, j;
-    for (j = 0; j < n; ++j)
-        x[j] = ms__finite(run->lower[j]) && ms__finite(run->upper[j]) ? 0.5 * run->lower[j] + 0.5 * run->upper[j]
-                                                                      : ms_pme__clip(0, run->lower[j], run->upper[j]);
+    int n = run->n, finite = 1, j;
+    for (j = 0; j < n; ++j) x[j] = 0.5 * run->low[j] + 0.5 * run->high[j];
     if (i < renderer->prediction_count) ms_pme__fail(run, renderer->predict(renderer->user, (int)i, o->target, x));
     else if (i < o->given)
         ms_pme__copy(x, o->options->candidates + (size_t)(i - renderer->prediction_count) * (size_t)n, n);
-    else if (i < o->total) ms_pme__random_point(run, x, x);
+    else if (i < o->total) ms_pme__random_point(run, x, 0, x);
+    for (j = 0; j < n; ++j) {
+        finite &= ms__finite(x[j]);
+        x[j] = ms_pme__clip(x[j], run->low[j], run->high[j]);
+    }
+    return finite;
 }
 
-/* Best of n: eq. (4.3), with the caller's candidates in the pool, eq. (4.4). The best pool_size go to the pool; returns
-   their number. */
-static int ms_pme__candidates(ms_pme__run *run, ms_pme__objective *o, ms_pme_match_result *answer)
+/* Best of n: eq. (4.3), with the caller's candidates among them, eq. (4.4), without a limit of cost. The best become
+   the starts, in their order; returns the number of these. */
+static int ms_pme__candidates(ms_pme__run *run, const ms_pme__objective *o)
 {
-    int n = run->n, j, kept = 0, size = o->pool_size;
+    const double max_cost = run->max_cost;
+    int kept = 0;
     int64_t i;
-    double *x = o->pool + size * n;
-    answer->best_candidate = -1;
+    run->max_cost = MS_PME__INF;
     for (i = 0; (i < o->total || (i == o->total && !ms__finite(run->best_norm))) && !run->stopped; ++i) {
-        double before = run->best_norm, norm;
-        int finite = 1;
-        ms_pme__candidate(run, o, i, x);
-        for (j = 0; j < n; ++j) {
-            finite &= ms__finite(x[j]);
-            x[j] = ms_pme__clip(x[j], run->lower[j], run->upper[j]);
-        }
-        if (!finite) continue;
-        norm = ms_pme__value(run, x);
-        if (run->best_norm < before) answer->best_candidate = (int)i;
-        for (j = kept < size ? kept++ : size; j > 0 && norm < o->pool_norm[j - 1]; --j) {
-            o->pool_norm[j] = o->pool_norm[j - 1];
-            if (j < size) ms_pme__copy(o->pool + j * n, o->pool + (j - 1) * n, n);
-        }
-        if (j == size) continue;
-        o->pool_norm[j] = norm;
-        ms_pme__copy(o->pool + j * n, x, n);
+        ms_pme__solver *solver = &run->solvers[kept];
+        if (!ms_pme__candidate(run, o, i, solver->x)) continue;
+        solver->norm = ms_pme__evaluate(run, solver->x, 0);
+        solver->index = (int)i;
+        ms_pme__rank(run->solvers, kept);
+        kept += kept < MS_PME__SOLVERS;
     }
-    answer->cost = run->result.cost;
+    run->max_cost = max_cost;
     return kept;
 }
 
-/* The triangle of the derivatives at the answer; columns of parameters with equal bounds are 0. */
-static void ms_pme__answer_derivatives(ms_pme__run *run)
-{
-    int j;
-    size_t row;
-    run->stopped = 0;
-    run->uncharged = 1;
-    if (!ms__finite(ms_pme__linearize(run, run->best, MS_PME__INF))) return;
-    for (j = 0; j < run->n; ++j)
-        for (row = 0; row < run->m && !(run->lower[j] < run->upper[j]); ++row)
-            run->jacobian[row * (size_t)run->n + (size_t)j] = 0;
-    ms_pme__factor(run, run->best_norm);
-}
-
-/* Standard deviations of x from that triangle: a linear model with noise of the size of the RMSE in each compared
-   value, and a prior variance of range^2 / 12 for each parameter. The noise is no finer than floats: 1e-7 of the target
+/* Standard deviations of x from the linear model at the answer, with noise of the size of the RMSE in each compared
+   value and a prior variance of range^2 / 12 for each parameter. The noise is no finer than floats: 1e-7 of the target
    or of what the strongest parameter does to the picture. */
-static void ms_pme__deviations(ms_pme__run *run, ms_pme__objective *o, double rmse)
+static void ms_pme__deviations(ms_pme__run *run, const ms_pme__objective *o, double rmse, double *deviation)
 {
-    int n = run->n, w = n + 1, j, k, i;
-    double noise = 1e-7 * o->size, sigma, *variance = o->deviation, *y = run->work, *row = run->work;
-    int idle[MS_PME_PARAMETERS_MAX]; /* a range, and no effect on the picture */
+    const int n = run->n, w = n + 1;
+    double noise = ms_pme__max(1e-7 * o->size, rmse), sigma, *y = run->work, *row = run->work;
+    int j, k, i;
     for (j = 0; j < n; ++j) {
-        double range = run->upper[j] - run->lower[j];
-        if (ms__finite(range)) /* 1e39: floats end before */
-            noise = ms_pme__max(noise,
-                                1e-7 * ms_pme__clip(range * run->unit[j] * ms_pme__column_norm(run, j), 0, 1e39));
-        variance[j] = 0;
+        double range = run->high[j] - run->low[j], change = range * run->unit[j] * run->column[j];
+        noise = ms_pme__max(noise, 1e-7 * ms_pme__clip(change, 0, 1e39)); /* floats end before */
+        deviation[j] = 0;
     }
-    noise = ms_pme__max(noise, rmse);
     sigma = (noise > 0 ? noise : 1) / sqrt((double)o->compared);
     for (j = 0; j < n; ++j) { /* one residual sqrt(12) sigma x_j / range for each parameter; squares are numbers */
-        double range = run->upper[j] - run->lower[j], change = range * run->unit[j], prior = sqrt(12.0) * sigma;
-        idle[j] = !(ms_pme__column_norm(run, j) > 0) && ms__finite(range);
-        if (idle[j] || !(range > 0)) prior = 1;
-        else if (!ms__finite(range)) prior = 0;
+        double range = run->high[j] - run->low[j], change = range * run->unit[j], prior = sqrt(12.0) * sigma;
+        if (!(run->column[j] > 0)) prior = 1; /* no effect on the picture */
         else prior = change > prior * 1e-100 ? ms_pme__max(prior / change, 1e-100) : 1e100;
         for (k = 0; k < w; ++k) row[k * MS_PME__ROWS] = k == j ? prior : 0;
         ms_pme__qr_append(run->triangle, n, row, 1);
     }
-    for (k = 0; k < n; ++k) /* column k of the inverse */
+    for (k = 0; k < n; ++k) /* column k of the inverse; sums of squares: variances */
         for (i = k; i >= 0; --i) {
             double t = i == k, pivot = run->triangle[i * w + i];
             for (j = i + 1; j <= k; ++j) t -= run->triangle[i * w + j] * y[j];
             y[i] = fabs(pivot) > 0 ? t / pivot : 0;
-            variance[i] += y[i] * y[i];
+            deviation[i] += y[i] * y[i];
         }
     for (j = 0; j < n; ++j) { /* data never widen the prior */
-        double widest = (run->upper[j] - run->lower[j]) / sqrt(12.0);
-        o->deviation[j] = idle[j] ? widest : ms_pme__clip(sigma * sqrt(variance[j]) / run->unit[j], 0, widest);
+        const double widest = (run->high[j] - run->low[j]) / sqrt(12.0);
+        deviation[j] = ms_pme__clip(sigma * sqrt(deviation[j]) / run->unit[j], 0, widest);
+        if (!(run->column[j] > 0)) deviation[j] = widest;
     }
 }
 
 /* The picture of the answer and its RMSE, which a reduced function must agree with. */
-static ms_status ms_pme__last_render(ms_pme__run *run, ms_pme__objective *o, ms_pme_match_result *answer,
-                                     ms_error *error)
+static ms_status ms_pme__last_render(ms_pme__run *run, ms_pme__objective *o, double *rmse, ms_error *error)
 {
     const ms_pme_renderer *renderer = o->renderer;
     double sum = 0, reduced = ms_pme__rmse(o, run->best, run->best_norm);
     size_t i;
-    answer->cost += 1;
-    if (ms_pme__fail(run, renderer->render(renderer->user, run->best, o->image))) return ms_pme__failure(run, error);
+    if (ms_pme__fail(run, renderer->render(renderer->user, run->best, o->image))) return ms_pme__verdict(run, error);
     for (i = 0; i < renderer->image_size; ++i) {
         double w = ms_pme__weight(o, i), e = (double)o->image[i] - (double)o->target[i];
         if (w > 0) sum += w * e * e;
     }
-    answer->rmse = sqrt(sum / o->weight_sum);
-    if (renderer->reduced == NULL || fabs(reduced - answer->rmse) <= 1e-3 * answer->rmse + 1e-5 * o->size) return MS_OK;
-    return ms__fail(
-        error, MS_INVALID_ARGUMENT, 0,
-        "the reduced function has an RMSE of %g where the picture has %g: it was made for another target or "
-        "other weights",
-        reduced, answer->rmse);
+    *rmse = sqrt(sum / o->weight_sum);
+    if (renderer->reduced == NULL || fabs(reduced - *rmse) <= 1e-3 * *rmse + 1e-5 * o->size) return MS_OK;
+    return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                    "the reduced function's RMSE is %g, the picture's %g: another target or other weights", reduced,
+                    *rmse);
 }
-
-/* ---- public: match --------------------------------------------------------------------------------------------- */
 
 MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *target, const float *weight,
                               const ms_pme_match_options *options, double *x, float *image, ms_pme_match_result *result,
@@ -1486,71 +1292,55 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
 {
     ms_pme_match_options defaults = ms_pme_match_defaults();
     ms_pme_match_result answer;
-    ms_pme_function function;
     ms_pme__objective o;
     ms_pme__run run;
-    int kept, j;
-    double max_cost;
+    int kept;
     ms_status status;
 
     /* the function, its bounds, its budget and its memory */
     memset(&o, 0, sizeof o);
-    memset(&answer, 0, sizeof answer);
     o.renderer = renderer;
     o.options = options = options != NULL ? options : &defaults;
     o.target = target;
     o.weight = weight;
-    status = ms_pme__check_match(&o, error);
+    status = ms_pme__objective_init(&o, error);
     if (status != MS_OK) return status;
     if (x == NULL) return ms_pme__null("x", error);
-    ms_pme__objective_init(&o, &function);
-    status = ms_pme__begin(&run, &function, &options->refine, NULL, &o, error);
+    status = ms_pme__begin(&run, &o.function, &options->refine, NULL, &o, error);
     if (status != MS_OK) return status;
-    for (j = 0, run.boxed = 1; j < run.n; ++j) run.boxed &= ms__finite(run.upper[j] - run.lower[j]);
 
-    /* candidates, without a limit of cost */
-    max_cost = run.max_cost;
-    run.max_cost = MS_PME__INF;
-    kept = ms_pme__candidates(&run, &o, &answer);
-
-    /* refinement with a budget of its own */
-    if (run.status == MS_OK && ms__finite(run.best_norm)) {
-        ms_pme_stop stop = options->initial_only && !run.stopped ? MS_PME_STOP_INITIAL : run.result.stop;
+    /* candidates; refinement with a budget of its own; derivatives for the deviations */
+    kept = ms_pme__candidates(&run, &o);
+    status = ms_pme__verdict(&run, error);
+    if (status == MS_OK) {
+        answer.cost = run.result.cost;
+        answer.best_candidate = run.solvers[0].index;
         answer.rmse_initial = ms_pme__rmse(&o, run.best, run.best_norm);
-        ms_pme__set_typical(&run, run.best);
         memset(&run.result, 0, sizeof run.result);
-        run.result.stop = stop;
         run.result.value = ms_pme__square(run.best_norm);
-        run.max_cost = max_cost;
-        if (!run.stopped && !options->initial_only) ms_pme__multistart(&run, o.pool, kept);
-        answer.cost += run.result.cost;
+        if (options->initial_only && !run.stopped) run.result.stop = MS_PME_STOP_INITIAL;
+        else if (!run.stopped) ms_pme__multistart(&run, kept);
+        answer.cost += run.result.cost + 1; /* the last render */
         answer.refine = run.result;
+        run.uncharged = 1;
+        run.stopped = run.status != MS_OK;
+        if (options->deviation != NULL) ms_pme__linearize(&run, run.best);
+        status = ms_pme__verdict(&run, error);
     }
-    if (run.status == MS_OK && !ms__finite(run.best_norm))
-        status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "no candidate has a finite picture (%g renders)", answer.cost);
 
-    /* deviations and one real render, then the outputs */
-    if (status == MS_OK && run.status == MS_OK && options->deviation != NULL) ms_pme__answer_derivatives(&run);
-    if (run.status != MS_OK) status = ms_pme__failure(&run, error);
-    if (status == MS_OK) status = ms_pme__last_render(&run, &o, &answer, error);
+    /* one real render, then the outputs */
+    if (status == MS_OK) status = ms_pme__last_render(&run, &o, &answer.rmse, error);
     if (status == MS_OK) {
         ms_pme__copy(x, run.best, o.n);
         if (image != NULL) memcpy(image, o.image, renderer->image_size * sizeof *image);
-        if (options->deviation != NULL) {
-            ms_pme__deviations(&run, &o, answer.rmse);
-            ms_pme__copy(options->deviation, o.deviation, o.n);
-        }
+        if (options->deviation != NULL) ms_pme__deviations(&run, &o, answer.rmse, options->deviation);
         if (result != NULL) *result = answer;
     }
-    ms_pme__end(&run);
+    ms__release(&run.options->allocator, run.block, run.block_size);
     return status;
 }
 
 #undef MS_PME__INF
-#undef MS_PME__SOLVERS
-#undef MS_PME__ROWS
-#undef MS_PME__TOGETHER
-#undef MS_PME__SCALE_DECAY
 #endif /* MS_PME_IMPLEMENTATION */
 
 /*

@@ -2456,6 +2456,83 @@ static void test_collapse_alone(void)
     net_free(&net);
 }
 
+/* What is asked of an allocator. */
+static size_t asked_bytes;
+static void *asking_alloc(void *user, size_t size)
+{
+    (void)user;
+    asked_bytes += size;
+    return malloc(size);
+}
+static void asking_release(void *user, void *pointer, size_t size)
+{
+    (void)user, (void)size;
+    free(pointer);
+}
+
+/* A network of one dense layer of floats, zeros but for the first `given`; asked_bytes has what its load asked for. */
+static ms_nn *one_matrix(size_t rows, size_t cols, const float *first, size_t given, unsigned char **file)
+{
+    const size_t shape[2] = {rows, cols};
+    char input[24];
+    ms_nn_tensor t = {"f.weight", MS_NN_F32, 2, NULL, NULL, 0};
+    ms_nn_entry e[3] = {{"ms_nn_version", "1"}, {"ms_nn_input", NULL}, {"ms_nn_layers", NULL}};
+    ms_nn_options o = ms_nn_defaults();
+    ms_nn *nn = NULL;
+    size_t size = 0, i;
+    snprintf(input, sizeof input, "[%d]", (int)cols);
+    t.shape = shape;
+    t.bytes = rows * cols * sizeof(float);
+    e[1].value = input;
+    e[2].value = "[{\"type\":\"dense\",\"name\":\"f\",\"bias\":false}]";
+    *file = (unsigned char *)calloc(t.bytes + 4096, 1);
+    CHECK_INT(ms_nn_file_write(&t, 1, e, 3, *file, t.bytes + 4096, &size, NULL), MS_OK);
+    for (i = 0; i < given; ++i) store(MS_NN_F32, (double)first[i], *file + size - t.bytes + 4 * i, 1);
+    o.allocator.alloc = asking_alloc;
+    o.allocator.release = asking_release;
+    asked_bytes = 0;
+    CHECK_INT(ms_nn_load(*file, size, &o, &nn, NULL), MS_OK);
+    return nn;
+}
+
+/* Dense layers are packed up to 64 MB, and no further: a matrix of a column more asks for that much less memory
+   (whatever a host of another byte order copies). */
+static void test_packed_bytes(void)
+{
+    const size_t limit = (size_t)64 << 20;
+    size_t asked[2], k;
+    for (k = 0; k < 2; ++k) {
+        unsigned char *file;
+        ms_nn *nn = one_matrix(8192, 2048 + k, NULL, 0, &file);
+        asked[k] = asked_bytes;
+        ms_nn_destroy(nn);
+        free(file);
+    }
+    CHECK_NEAR((double)asked[0] - (double)asked[1], (double)limit, 2e5); /* scales, biases; the column's own copy */
+}
+
+/* A direction that changes the outputs by less than 1e-7 of what its column does is left out of R. */
+static void test_collapse_pivot(void)
+{
+    static const float d[] = {0.5e-7f, 0.9e-7f, 1.1e-7f, 2e-7f};
+    int k;
+    for (k = 0; k < 4; ++k) {
+        float w[4] = {1, 1, 0, 0};
+        unsigned char *file;
+        ms_nn_collapse *c = NULL;
+        ms_nn *nn;
+        w[3] = d[k];
+        nn = one_matrix(2, 2, w, 4, &file);
+        CHECK_INT(ms_nn_collapse_create(nn, NULL, &c, NULL), MS_OK);
+        /* the pivot d^2 is a difference of numbers near 1: 2e-16 of 1e-14 */
+        CHECK_NEAR(inside_collapse_factor(c, 1, 1), k < 2 ? 0 : (double)d[k], 0.02 * (double)d[k]);
+        CHECK_NEAR(inside_collapse_factor(c, 0, 1), 1, 1e-15);
+        ms_nn_collapse_destroy(c);
+        ms_nn_destroy(nn);
+        free(file);
+    }
+}
+
 /* R'R = W'W, the same bits for any number of threads. */
 static void test_collapse_factor(void)
 {
@@ -2586,5 +2663,7 @@ static const test_case cases[] = {{"reference networks", test_reference},
                                   {"collapse", test_collapse},
                                   {"collapse of one layer", test_collapse_alone},
                                   {"collapse factor", test_collapse_factor},
+                                  {"packed bytes", test_packed_bytes},
+                                  {"a pivot that is rounding", test_collapse_pivot},
                                   {"queries", test_queries}};
 TEST_MAIN_WITH_FILES(cases)

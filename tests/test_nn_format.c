@@ -313,6 +313,13 @@ static void test_by_name(void)
     CHECK_INT(ms_nn_load_file("tests/data/nn/st_cases/bad_empty_file.safetensors", NULL, &nn, &error), MS_BAD_DATA);
     CHECK_INT(ms_nn_load_file("tests/data/nn/st_cases/ok_basic.safetensors", NULL, &nn, &error), MS_BAD_DATA);
     CHECK(strstr(error.message, "ms_nn_layers") != NULL && nn == NULL);
+    /* a file that outgrows its first block of memory: any of its allocations may fail, and the later ones hold it all */
+    TEST_ALLOCATION_SWEEP(10, {
+        ms_nn_options o = ms_nn_defaults();
+        o.allocator = allocator;
+        status = ms_nn_file_read("tests/data/nn/renderer_f16.safetensors", &o, &f, NULL);
+        if (status == MS_OK) ms_nn_file_close(f);
+    });
 }
 
 static const test_case cases[] = {{"reference cases", test_cases}, {"headers", test_headers}, {"limits", test_limits},

@@ -533,7 +533,9 @@ static void test_nist(void)
             least = fmin(least, worst < 1e-4 ? -log10(worst) : 99);
             good += worst < 1e-4;
             if (!(worst < 1e-4)) TEST_FAIL("%s, start %d: %.1f digits", d.name, s + 1, -log10(worst));
-            if (worst < 1e-4) CHECK_NEAR(result.value, d.sum_of_squares, 2e-3 * d.sum_of_squares); /* Lanczos1: 1e-25 */
+            /* Lanczos1: residuals of 8e-14 beside values of 2.5, each good to an ulp of 4e-16 as exp is elsewhere */
+            if (worst < 1e-4)
+                CHECK_NEAR(result.value, d.sum_of_squares, (d.sum_of_squares < 1e-24 ? 1e-2 : 2e-3) * d.sum_of_squares);
         }
         ++sets;
     }
@@ -904,6 +906,131 @@ static void test_restarts(void)
     CHECK_NEAR(x, 0.5, 0);
 }
 
+/* A restart that improves is finished at the full tolerance: large residuals, so that steps converge linearly, and the
+   better candidate leads to the worse minimum. */
+static ms_status slow_basins(void *user, const double *x, double *r, double *jacobian)
+{
+    const double u = 5 * (x[0] - 0.8), v = (x[0] - 0.2) / 0.05, w = exp(-v * v), wide = exp(-0.5 * u * u);
+    (void)user;
+    r[0] = 1 - 0.4 * u * u;
+    r[1] = u;
+    r[2] = 6 * (1 - w - wide);
+    if (jacobian != NULL) {
+        jacobian[0] = -4 * u;
+        jacobian[1] = 5;
+        jacobian[2] = 6 * (2 * v / 0.05 * w + 5 * u * wide);
+    }
+    return MS_OK;
+}
+
+static void test_finished_restarts(void)
+{
+    static const double low[1] = {0}, high[1] = {1};
+    ms_pme_function f;
+    ms_pme_options o = ms_pme_defaults();
+    ms_pme_result result;
+    double x, least = HUGE_VAL, value;
+    int i, seed, improved = 0;
+    memset(&f, 0, sizeof f);
+    f.parameter_count = 1;
+    f.residual_count = 3;
+    f.residuals = slow_basins;
+    f.lower = low;
+    f.upper = high;
+    for (i = 0; i <= 1000000; ++i) { /* the minimum, by trying them all */
+        double at = 1e-6 * i, r[3];
+        slow_basins(NULL, &at, r, NULL);
+        value = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
+        if (value < least) least = value;
+    }
+    for (seed = 0; seed < 20; ++seed) {
+        o.seed = (uint64_t)seed;
+        o.restarts = 8;
+        o.max_cost = 2000;
+        x = 0.2;
+        CHECK_INT(ms_pme_minimize(&f, &o, &x, &result, NULL), MS_OK);
+        if (!(result.value < 1.01 * least)) continue; /* stayed in the worse one */
+        ++improved;
+        CHECK_NEAR(result.value, least, 1e-8 * least); /* steps shrink by a fifth: some times the tolerance is left */
+    }
+    CHECK(improved > 10);
+}
+
+/* The first step of a match of two parameters, one with a hundredth of the other's effect: the damping of 1e-3 is that
+   of the columns, but no less than 0.3 of the largest, so that the weak one goes a third of its way. */
+enum { WEAK_CALLS = 4 };
+static double weak_tried[WEAK_CALLS][2];
+static int weak_calls;
+static ms_status weak_render(void *user, const double *x, float *image)
+{
+    (void)user;
+    if (weak_calls < WEAK_CALLS) memcpy(weak_tried[weak_calls++], x, sizeof weak_tried[0]);
+    image[0] = image[1] = (float)x[0];
+    image[2] = (float)(0.01 * x[1]);
+    return MS_OK;
+}
+static ms_status weak_jacobian(void *user, const double *x, float *image, float *jacobian)
+{
+    (void)user;
+    image[0] = image[1] = (float)x[0];
+    image[2] = (float)(0.01 * x[1]);
+    memset(jacobian, 0, 6 * sizeof *jacobian);
+    jacobian[0] = jacobian[2] = 1;
+    jacobian[5] = 0.01f;
+    return MS_OK;
+}
+
+static void test_weak_parameter(void)
+{
+    static const double start[2] = {0.5, 0.5};
+    static const float target[3] = {0.6f, 0.6f, 0.006f};
+    ms_pme_renderer r = ms_pme_renderer_defaults();
+    ms_pme_match_options options = ms_pme_match_defaults();
+    double x[2];
+    r.parameter_count = 2;
+    r.image_size = 3;
+    r.render = weak_render;
+    r.jacobian = weak_jacobian;
+    options.candidates = start;
+    options.candidate_count = 1;
+    weak_calls = 0;
+    CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, NULL, NULL), MS_OK);
+    CHECK(weak_calls >= 2); /* the candidate, then the first trial; pictures of floats */
+    CHECK_NEAR(weak_tried[1][0] - 0.5, 0.1 / (1 + 1e-3), 1e-6);
+    CHECK_NEAR(weak_tried[1][1] - 0.5, 0.1 * 1e-4 / (1e-4 + 1e-3 * 0.3 * 0.3 * 2), 1e-5);
+}
+
+/* By differences from the ends of the range inwards: there the step is taken to the other side. */
+static ms_status from_the_ends(void *user, const double *x, double *r, double *jacobian)
+{
+    (void)user, (void)jacobian;
+    r[0] = x[0] - 0.3;
+    r[1] = x[1] - 0.6;
+    return MS_OK;
+}
+
+static void test_from_the_ends(void)
+{
+    static const double low[2] = {0, 0}, high[2] = {1, 1};
+    int start;
+    for (start = 0; start < 4; ++start) {
+        ms_pme_function f;
+        double x[2];
+        memset(&f, 0, sizeof f);
+        x[0] = start & 1;
+        x[1] = start >> 1;
+        f.parameter_count = 2;
+        f.residual_count = 2;
+        f.residuals = from_the_ends;
+        f.residuals_only = 1;
+        f.lower = low;
+        f.upper = high;
+        CHECK_INT(ms_pme_minimize(&f, NULL, x, NULL, NULL), MS_OK);
+        CHECK_NEAR(x[0], 0.3, 1e-9); /* linear: the difference is exact but for rounding, 1e-16 / 1e-8 */
+        CHECK_NEAR(x[1], 0.6, 1e-9);
+    }
+}
+
 /* Rosenbrock's valley (1960) over [-2, 2]^2. */
 static ms_status valley(void *user, const double *x, float *image)
 {
@@ -1087,6 +1214,14 @@ static void test_match_arguments(void)
     bad.upper = high;
     CHECK_INT(ms_pme_match(&bad, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
     CHECK_INT(error.position, 2);
+    for (k = 0; k < 3; ++k) { /* a range that is no number: where would its middle be? */
+        low[2] = k == 1 ? -1.7e308 : 0;
+        high[2] = k == 0 ? (double)HUGE_VAL : 1.7e308;
+        if (k == 2) low[2] = -(double)HUGE_VAL;
+        CHECK_INT(ms_pme_match(&bad, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
+        CHECK_INT(error.position, 2);
+        CHECK(strstr(error.message, "no finite range between them") != NULL);
+    }
     options.candidate_count = 1;
     CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
     for (k = 1; k < 8; ++k) { /* a renderer that fails midway, the last render included */
@@ -1134,6 +1269,7 @@ static void collapse_make(collapse *c, renderer_state *s, const float *target)
     for (i = 0; i < H; ++i) c->rest -= c->q[i] * c->q[i];
 }
 
+static double collapse_scale = 1; /* of all residuals: a function made for something else */
 static ms_status collapse_residuals(void *user, const double *x, double *r, double *jacobian)
 {
     const collapse *c = (const collapse *)user;
@@ -1150,6 +1286,7 @@ static ms_status collapse_residuals(void *user, const double *x, double *r, doub
             for (k = i; k < H; ++k) jacobian[i * N + j] += c->r[i][k] * dh[k][j];
         }
     }
+    for (i = 0; i <= H; ++i) r[i] *= collapse_scale;
     return MS_OK;
 }
 
@@ -1162,7 +1299,7 @@ static void test_reduced(void)
     ms_pme_function f;
     collapse c;
     float target[P];
-    double x[N], y[N], worst = 0;
+    double x[N], y[N], worst = 0, size = 0;
     int i, j;
     uint64_t state = 99;
     renderer_make(&s);
@@ -1188,6 +1325,15 @@ static void test_reduced(void)
     CHECK_NEAR(sqrt(reduced.refine.value), reduced.rmse, 1e-6);
     for (j = 0; j < N; ++j) worst = fabs(x[j] - y[j]) > worst ? fabs(x[j] - y[j]) : worst;
     CHECK_LE(worst, 1e-3); /* flat directions: 1e-6 in the value is its root in x */
+    for (i = 0; i < P; ++i) size += (double)target[i] * (double)target[i] / (double)P;
+    for (i = 0; i < 4; ++i) { /* a thousandth of the RMSE and 1e-5 of the target may be off, on both sides */
+        const double allowed = 1e-3 + 1e-5 * sqrt(size) / direct.rmse;
+        collapse_scale = 1 + (i % 2 ? 1.02 : 0.98) * (i < 2 ? allowed : -allowed);
+        options.initial_only = 1;
+        options.candidates = x;
+        CHECK_INT(ms_pme_match(&r, target, NULL, &options, y, NULL, NULL, NULL), i % 2 ? MS_INVALID_ARGUMENT : MS_OK);
+    }
+    collapse_scale = 1;
     TEST_NOTE("rmse %.9g direct, %.9g collapsed, x differs by %.1e", direct.rmse, reduced.rmse, worst);
 }
 
@@ -2341,7 +2487,7 @@ static void test_black_target(void)
         CHECK_INT(ms_pme_match(&r, black, NULL, &options, x, NULL, NULL, NULL), MS_OK);
         CHECK_NEAR(deviation[1], sqrt(1 / 12.0), 1e-6);
         if (k == 0) CHECK_NEAR(deviation[0], sqrt(1 / 12.0), 1e-6);
-        else CHECK_LE(deviation[0], 1e-6);
+        else CHECK_NEAR(deviation[0], 1e-7 / sqrt(8.0), 1e-3 * 1e-7); /* noise: 1e-7 of what x_0 does, in 8 values */
     }
 }
 
@@ -2420,6 +2566,9 @@ static const test_case cases[] = {{"published minima", test_published},
                                   {"arguments", test_arguments},
                                   {"match", test_match},
                                   {"match, restarts", test_restarts},
+                                  {"restarts are finished", test_finished_restarts},
+                                  {"from the ends of ranges", test_from_the_ends},
+                                  {"a weak parameter", test_weak_parameter},
                                   {"match, short budget", test_short_budget},
                                   {"match, starts in turn", test_turns},
                                   {"a parameter without effect", test_no_effect},

@@ -1,10 +1,10 @@
 /* ms_pme.h on edited pictures, with the networks and held-out materials of examples/data: the tables of the thesis's
    chapter 4, times, and what pictures tell about parameters. About three minutes. bench_pme --full gives basin hopping
    a minute for every target instead of 0.3 s (40 minutes); --times, --minima, --edits,
-   --sequence, --recovery, --targets and --optimizers make one table alone, --known searches the least RMSE of the
-   targets of targets.h (half an hour, into build/bench/pme_targets.csv). Writes pme.md, pme_minima.md, pme_targets.md,
-   pme_optimizers.md, pme_sequence.md, pme_time.md, pme_recovery.md, pme_edits.md, pme.csv and pme.svg. RMSE in levels
-   of 255. */
+   --sequence, --recovery, --targets, --optimizers and --bounds make one table alone, --known searches the least RMSE of
+   the targets of targets.h (half an hour, into build/bench/pme_targets.csv). Writes pme.md, pme_minima.md,
+   pme_targets.md, pme_optimizers.md, pme_sequence.md, pme_time.md, pme_recovery.md, pme_edits.md, pme_bounds.md,
+   pme.csv and pme.svg. RMSE in levels of 255. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #define MS_PME_IMPLEMENTATION
@@ -518,6 +518,116 @@ static void table_minima(matcher *m)
     fclose(f);
 }
 
+/* --- many active bounds --- */
+
+/* |A x - b| of `rows` and N_MANY parameters; nearby columns of A differ by little if it is correlated. */
+enum { N_MANY = 256, ROWS_MANY = 400 };
+typedef struct linear {
+    double a[ROWS_MANY][N_MANY], b[ROWS_MANY];
+} linear;
+
+static ms_status linear_residuals(void *user, const double *x, double *r, double *jacobian)
+{
+    const linear *l = (const linear *)user;
+    int i, j;
+    for (i = 0; i < ROWS_MANY; ++i) {
+        r[i] = -l->b[i];
+        for (j = 0; j < N_MANY; ++j) r[i] += l->a[i][j] * x[j];
+    }
+    if (jacobian != NULL) memcpy(jacobian, l->a, sizeof l->a);
+    return MS_OK;
+}
+
+/* The box cuts off most parameters: how long each method takes to which value, in evaluations and in seconds. */
+static double normal(uint64_t *state)
+{
+    double sum = 0;
+    int i;
+    for (i = 0; i < 12; ++i) {
+        *state = *state * 6364136223846793005u + 1442695040888963407u;
+        sum += (double)(*state >> 11) / 9007199254740992.0;
+    }
+    return sum - 6;
+}
+
+static void table_bounds(void)
+{
+    static const struct {
+        const char *name;
+        int method;
+    } row[] = {{"**ours**", LM}, {"L-BFGS, projected", THESIS_LBFGS}};
+    enum { KINDS = 4, METHODS = 2 };
+    static const char *const kind[KINDS] = {"independent columns, box of 1", "independent columns, box of 0.2",
+                                            "correlated columns, box of 1", "correlated columns, box of 0.01"};
+    static const double reach[KINDS] = {1, 0.2, 1, 0.01};
+    static linear l;
+    FILE *f = bench_open("pme_bounds.md");
+    int k, method, run, i, j, q;
+    fprintf(
+        f,
+        "Least squares of %d residuals and %d parameters whose box cuts most of them off; callbacks that cost next to nothing. Each method\n"
+        "from 0 with at most 5,000 units; value over the least of the row; medians of %d, one core of %s. `make bench FILTER=pme`\n\n"
+        "| problem | at bounds | method | value | units | ms |\n|---|---:|---|---:|---:|---:|\n",
+        ROWS_MANY, N_MANY, RUNS, bench_processor());
+    for (k = 0; k < KINDS; ++k) {
+        uint64_t state = (uint64_t)k + 1;
+        double x[N_MANY], low[N_MANY], high[N_MANY], value[METHODS], ms[METHODS][RUNS], least;
+        int at_bounds = 0;
+        ms_pme_result result[METHODS];
+        for (i = 0; i < ROWS_MANY; ++i) {
+            double common[8];
+            for (q = 0; q < 8; ++q) common[q] = normal(&state);
+            for (j = 0; j < N_MANY; ++j) {
+                l.a[i][j] = normal(&state);
+                for (q = 0; q < 8 && k >= 2; ++q) l.a[i][j] += 1e4 * common[q] * sin(0.37 * j * (q + 1) + q);
+            }
+            l.b[i] = (k >= 2 ? 4e5 : 40) * normal(&state);
+        }
+        for (j = 0; j < N_MANY; ++j) {
+            high[j] = reach[k] * (j % 3 ? 1 : 0.5);
+            low[j] = -reach[k];
+        }
+        for (run = 0; run < RUNS; ++run)
+            for (method = 0; method < METHODS; ++method) {
+                ms_pme_function function;
+                ms_error error;
+                double from = bench_cpu();
+                memset(&function, 0, sizeof function);
+                memset(x, 0, sizeof x);
+                memset(&result[method], 0, sizeof result[method]);
+                function.user = &l;
+                function.parameter_count = N_MANY;
+                function.residual_count = ROWS_MANY;
+                function.residuals = linear_residuals;
+                function.lower = low;
+                function.upper = high;
+                function.jacobian_cost = 2; /* a copy */
+                if (row[method].method == LM) {
+                    ms_pme_options options = ms_pme_defaults();
+                    options.max_cost = 5000;
+                    check(ms_pme_minimize(&function, &options, x, &result[method], &error), &error);
+                } else {
+                    thesis_options options = {0, 0, 0, 0, 0, 0};
+                    options.method = row[method].method;
+                    options.max_cost = 5000;
+                    check(thesis_minimize(&function, &options, x, &result[method]), &error);
+                }
+                ms[method][run] = 1e3 * (bench_cpu() - from);
+                value[method] = result[method].value;
+                for (j = 0; j < N_MANY && method == 0 && run == 0; ++j) at_bounds += x[j] <= low[j] || x[j] >= high[j];
+            }
+        for (least = value[0], method = 1; method < METHODS; ++method) least = fmin(least, value[method]);
+        for (method = 0; method < METHODS; ++method) {
+            if (method == 0) fprintf(f, "| %s | %d of %d |", kind[k], at_bounds, N_MANY);
+            fprintf(f, "%s %s | %.6f | %.0f | %.0f |\n", method ? "| | |" : "", row[method].name, value[method] / least,
+                    result[method].cost, bench_median(ms[method], RUNS));
+            printf("bounds: %s, %d at bounds, %s: value %.6f of the least, %.0f units, %.1f ms\n", kind[k], at_bounds,
+                   row[method].name, value[method] / least, result[method].cost, bench_median(ms[method], RUNS));
+        }
+    }
+    fclose(f);
+}
+
 /* --- times --- */
 
 /* Median over the targets of the whole match at its defaults, as a user calls it; masked: each target with a soft
@@ -879,6 +989,10 @@ int main(int argc, char **argv)
             table_targets(&small, small_targets);
             return 0;
         }
+        if (strcmp(argv[1], "--bounds") == 0) {
+            table_bounds();
+            return 0;
+        }
         if (strcmp(argv[1], "--optimizers") == 0) {
             table_optimizers(&small, small_targets);
             return 0;
@@ -907,6 +1021,7 @@ int main(int argc, char **argv)
     table_sequence(&small);
     table_recovery(&small);
     table_edits(&small);
+    table_bounds();
     for (t = 0; t < TARGETS; ++t) {
         free(small_targets[t].planes);
         free(large_targets[t].planes);
