@@ -6,6 +6,7 @@
 #include "test.h"
 #include "stack.h"
 #include "json.h"
+#include <float.h>
 #include <limits.h>
 #include <stddef.h>
 

@@ -12,7 +12,7 @@
 #   clang-format 14       columns, tabs, blanks at ends of lines
 #   other compilers, machines and C libraries (zig, 32 bits, MSVC)   what is included, no long and no extension of one compiler alone
 #   GCC on x86-64 (stack of calls)       no alloca
-#   (nothing)             numbers in comments stand in tests/statements, with the test that holds them
+#   (nothing)             numbers in comments stand in tests/statements*, with the test that holds them
 #   libFuzzer, valgrind, sanitizers      each fuzz target has a corpus (run.sh replays it)
 set -u
 passed=0
@@ -40,8 +40,8 @@ none "two statements of an example on one line" "$(awk '/^ *[^#\/]*[a-z_]+\(.*\)
 none "a row of a table, or an argument, in the middle of a sentence" "$(grep -nE '^   [A-Za-z`(*][^ ]*( [^ ]+){5,}  +[A-Za-z[*`]' $headers | grep -v =)"
 none "no banners of sections" "$(for h in $headers; do [ "$(grep -c '^/\* ---- ' "$h")" -gt 2 ] || echo "$h has no banners"; done)"
 
-# ---- numbers in comments: tests/statements says where each is held to; these headers have no other
-none "a number in a comment that tests/statements does not hold to (or a line of it that is out of date)" "$(awk -v headers="ms_nn.h ms_pme.h ms_mcml.h" '
+# ---- numbers in comments: the files tests/statements* say where each is held to; a header that they name has no other
+none "a number in a comment that tests/statements* do not hold to (or a line of them that is out of date)" "$(awk -v tables="$(ls tests/statements* | tr '\n' ' ')" '
     function squeezed(file,  all, line) {
         if (!(file in text)) {
             while ((getline line <file) > 0) all = all " " line
@@ -76,17 +76,20 @@ none "a number in a comment that tests/statements does not hold to (or a line of
         return all
     }
     BEGIN {
-        count = split(headers, name, " ")
-        for (i = 1; i <= count; ++i) said[name[i]] = comments(name[i])
-        while ((getline line <"tests/statements") > 0) {
-            if (line !~ /^ms_/) continue
-            split(line, part, / \| /) # a text may hold |x|, without blanks around
-            if (!(part[1] in said)) said[part[1]] = comments(part[1])
-            at = index(said[part[1]], part[2])
-            if (!at) print part[1] " does not say: " part[2]
-            else if (!index(squeezed(part[3]), part[4])) print part[3] " does not have: " part[4]
-            if (at) said[part[1]] = substr(said[part[1]], 1, at - 1) "..." substr(said[part[1]], at + length(part[2]))
-        }
+        tables_count = split(tables, table, " ")
+        for (i = 1; i <= tables_count; ++i)
+            while ((getline line <table[i]) > 0) {
+                if (line !~ /^ms_/) continue
+                if (split(line, part, / \| /) != 4) print table[i] " has no four parts: " line # |x| has no blanks around
+                if (!(part[1] in said)) {
+                    said[part[1]] = comments(part[1])
+                    name[++count] = part[1]
+                }
+                at = index(said[part[1]], part[2])
+                if (!at) print part[1] " does not say: " part[2]
+                else if (!index(squeezed(part[3]), part[4])) print part[3] " does not have: " part[4]
+                if (at) said[part[1]] = substr(said[part[1]], 1, at - 1) "..." substr(said[part[1]], at + length(part[2]))
+            }
         n = "[0-9][0-9,.]*(e-?[0-9]+)?"
         claim = n " ?(%|dB|[kKMG]B|ms|us|ns|times|digits|million|problems)[^a-zA-Z0-9_]" \
             "|(about|below|under|within|nearly|some|less than|at most|more than|over|roughly|almost) (the |a )?" n \
