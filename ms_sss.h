@@ -4097,18 +4097,20 @@ static double ms_sss__descend(const ms_sss__squares *p, double *x, int rounds, d
     const int n = p->n;
     double *H = scratch, *work = H + n * n, *g = work + n * n, *step = g + n, *trial = step + n;
     double lambda = 1e-2, least = p->evaluate(p, x, NULL, NULL), value = 0;
+    double flat; /* of H: in directions that change nothing, the fit stays where it is */
     int round, tries, i;
     for (round = 0; round < rounds; ++round) {
         memset(H, 0, sizeof *H * (size_t)(n * n));
         memset(g, 0, sizeof *g * (size_t)n);
         p->evaluate(p, x, H, g);
+        for (flat = DBL_MIN, i = 0; i < n; ++i) flat = fmax(flat, 1e-12 * H[i * n + i]);
         for (tries = 0; tries < 8; ++tries) { /* (H + lambda diag H) step = g */
             memcpy(work, H, sizeof *H * (size_t)(n * n));
             memcpy(step, g, sizeof *g * (size_t)n);
-            for (i = 0; i < n; ++i) work[i * n + i] += lambda * H[i * n + i] + DBL_MIN;
+            for (i = 0; i < n; ++i) work[i * n + i] += lambda * fmax(H[i * n + i], flat);
             value = HUGE_VAL;
-            if (ms_sss__cholesky_solve(work, step, n)) { /* bounds: for directions that change nothing */
-                for (i = 0; i < n; ++i) trial[i] = x[i] + fmax(-1e6, fmin(step[i], 1e6));
+            if (ms_sss__cholesky_solve(work, step, n)) {
+                for (i = 0; i < n; ++i) trial[i] = x[i] + step[i];
                 value = p->evaluate(p, trial, NULL, NULL);
             }
             lambda *= value < least ? 0.2 : 6;
