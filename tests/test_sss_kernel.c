@@ -1451,6 +1451,7 @@ static void elevation_of_balls(void)
     static ball_tally plane, body;
     const long walks = 60000;
     int n, s, i, b;
+    TEST_METHOD;
     for (n = 0; n < 2; ++n) {
         ball_walk(BALL_SPHERE, 0, index[n], albedo, 2, walks, test_seed, &plane);
         for (s = 0; s < 2; ++s) {
