@@ -262,7 +262,8 @@ static void case_bytes(void)
     CHECK_NEAR(flat, 18, 1);
     k.term_count = 2;
     CHECK_NEAR((double)ms_sss_filter_workspace(1920, 1080, &k, 1, &o) / n - flat, 12, 0.5);
-    CHECK_NEAR((double)ms_sss_pyramid_workspace(1920, 1080) / n, 40, 3);
+    CHECK_LE((double)ms_sss_pyramid_workspace(1920, 1080) / n, 40); /* one plane of floats more is too much */
+    CHECK_NEAR((double)ms_sss_pyramid_workspace(1920, 1080) / n, 40, 4);
     TEST_NOTE("%.1f bytes a pixel, flat %.1f, the pyramid %.1f", with_slope, flat,
               (double)ms_sss_pyramid_workspace(1920, 1080) / n);
 }
