@@ -1,6 +1,6 @@
 #!/bin/sh
 # Runs a group of tests, two programs at a time (test: three), and ends with "N passed, N failed, N skipped".
-#   sh tests/run.sh check      what needs a C compiler only: two minutes
+#   sh tests/run.sh check      what needs a C compiler only: a minute and a half
 #   sh tests/run.sh test       check, the headers without SIMD and as C++ by another compiler, every way to use them, packages: eight minutes
 #   sh tests/run.sh long       what test leaves out: the long versions at -O3, fused products and sums, GCC's C++, stack of every call
 #   sh tests/run.sh style      warnings as errors: GCC and Clang, C99 and C++11, -O0 and -O3, 32-bit where there is one
