@@ -1387,7 +1387,7 @@ static void memory(void)
         CHECK_INT(ms_sss_kernel_build(&k, d, &o, NULL), MS_OUT_OF_MEMORY);
         CHECK_LE(bytes_most - designer, terms == 1 ? 0.5e6 : 2.1e6);
     }
-    CHECK(bytes_most - designer > 1.9e6);
+    CHECK(bytes_most - designer > 1900000);
     ms_sss_designer_destroy(d);
     CHECK(bytes_held == 0);
     ms_sss_profile_destroy(skin);

@@ -311,7 +311,7 @@ static double wave_kept(const ms_sss_kernel *k, double degrees, double *constant
     ms_sss_frame f;
     double a = 0, b = 0;
     int i, flat;
-    o.ortho_height = (float)(H / pixels_per_mm);
+    o.ortho_height = (float)((int)H / pixels_per_mm);
     memset(&f, 0, sizeof f);
     f.width = W;
     f.height = H;
@@ -383,7 +383,8 @@ static void case_pyramid_from(void)
         memset(truth, 0, sizeof truth);
         memset(in, 0, sizeof in);
         for (w = 0; w < WAVES; ++w) {
-            const double size = 2 * PI / N * pow(N / 2.0, test_uniform(&seed)), turn = 2 * PI * test_uniform(&seed);
+            const double size = 2 * PI / (int)N * pow((int)N / 2.0, test_uniform(&seed)),
+                         turn = 2 * PI * test_uniform(&seed);
             const double x = size * cos(turn), y = size * sin(turn), phase = 2 * PI * test_uniform(&seed);
             double kept = 0;
             for (i = 0; i < 2; ++i) kept += weight[i][0] / 0.8 * exp(-pow(size * sigma[i][0] * pixels_per_mm, 2) / 2);
