@@ -210,12 +210,13 @@ check_jobs() {
 
 if [ -f /usr/include/embree4/rtcore.h ] || [ -f /usr/local/include/embree4/rtcore.h ]; then embree=-lembree4; else embree=-lembree3; fi
 
-# warnings_jobs: what make sanitize and check-style would say of the tests, and of the headers with their inner calls, without making code
+# warnings_jobs: what make sanitize and check-style would say of the tests (C, C++), and of the headers with their inner calls, without code
 warnings_jobs() {
     flags="-std=c99 -O1 -fsyntax-only -Werror"
     ! compiles $CC -fsanitize=address,undefined || flags="$flags -fsanitize=address,undefined"
     {
         for t in tests/test_*.c tests/attack/*.c; do echo "$CC $posix $paths -Itests/attack $warn_c $flags$(linked "$t") $t || bad=1"; done
+        for t in tests/test_*.c; do ! have clang++ || echo "clang++ -x c++ -std=c++11 $posix $paths $warn -Werror -fsyntax-only$(linked "$t") $t || bad=1"; done
         for h in $headers; do
             n=${h%.h}
             upper=$(echo $n | tr a-z A-Z)

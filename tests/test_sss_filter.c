@@ -1626,8 +1626,8 @@ static void lump_point(double u, double v, double p[3])
 
 static lump_vertex lump_make_vertex(int column, int row)
 {
-    const double lamp[3] = {5, 5, 7}, step = 1e-4, u = (double)column / LUMP_U,
-                 v = fmin(fmax((double)row / LUMP_V, 2 * step), 1 - 2 * step);
+    const double lamp[3] = {5, 5, 7}, step = 1e-4, u = (double)column / (int)LUMP_U,
+                 v = fmin(fmax((double)row / (int)LUMP_V, 2 * step), 1 - 2 * step);
     double p[3], along[3], down[3], normal[3], length = 0, facing = 0, distance = 0;
     lump_vertex at;
     int c;
@@ -1646,8 +1646,8 @@ static lump_vertex lump_make_vertex(int column, int row)
     }
     at.light = 0.05 + 1.6 * fmax(0, facing / sqrt(length * distance));
     at.screen[2] = 9 - p[2];
-    at.screen[0] = 0.5 * LUMP_SIDE + 1157 * p[0] / at.screen[2];
-    at.screen[1] = 0.5 * LUMP_SIDE - 1157 * p[1] / at.screen[2];
+    at.screen[0] = 0.5 * (int)LUMP_SIDE + 1157 * p[0] / at.screen[2];
+    at.screen[1] = 0.5 * (int)LUMP_SIDE - 1157 * p[1] / at.screen[2];
     return at;
 }
 
@@ -1739,7 +1739,7 @@ static void case_weave(void)
     f.input = ms_sss_planar(light, light, light);
     f.output = ms_sss_planar(out[0], out[1], out[2]);
     f.depth = ms_sss_map(depth, 1);
-    o.fov_degrees = (float)(2 * atan(0.5 * LUMP_SIDE / 1157) * 180 / 3.14159265358979);
+    o.fov_degrees = (float)(2 * atan(0.5 * (int)LUMP_SIDE / 1157) * 180 / 3.14159265358979);
     o.mm_per_unit = 40;
     CHECK_INT(ms_sss_profile_from_burley(&profile, reflectance, d_mm, NULL, NULL), MS_OK);
     for (i = 0; i < 4; ++i) {

@@ -262,7 +262,7 @@ static inline int scores__columns(scores *s, const scores__cells *c, int table, 
             continue;
         }
         if (*name == 0 || scores__number(name, '.', &v) == 1) {
-            const int number = *name && v >= 0 && v < SCORES_COLUMNS ? (int)v : s->m; /* pandas' 3 is x3 */
+            const int number = *name && v >= 0 && v < (int)SCORES_COLUMNS ? (int)v : s->m; /* pandas' 3 is x3 */
             name = made;
             made += snprintf(made, 8, "x%d", number) + 1;
         }
