@@ -2,7 +2,7 @@
 #   make            the examples, into build/
 #   make demo       runs them: pictures and tables in build/demo/
 #   make deps       installs what `make test` needs (OpenImageIO, Embree; BLENDER=1: Blender) with the package manager
-#   make check      tests that need a C compiler only, two minutes
+#   make check      tests that need a C compiler only, a minute and a half
 #   make test       tests of every header, example and page, eight minutes
 #   make test-long  what make test leaves out, for releases: longer versions, more builds
 #   make bench      speed against error: tables and plots in build/bench/, peers where they are installed

@@ -322,8 +322,8 @@ MS_API void ms_sss_profile_radius(const ms_sss_profile *profile, double fraction
    - n_q).(p - q) / (2 |p - q|). The factor multiplies the color and not the normalization: out = reflectance sum(w f E)
    / sum(w), where reflectance sum(w f) / sum(w) is kept at or below 1. Returns K for a channel; index: of refraction, 1
    to 2; 0 without light. It is fitted to random walks in spheres and hollows (`make bench FILTER=sss_elevation`): where
-   the reflectance is above 0.1, balls and cylinders of 8 mean free paths are met within 3%, of 4 within 10%. Tight
-   hollows in bright media come out too bright by up to 40%. */
+   the reflectance is above 0.1, balls and cylinders of 8 mean free paths are met within 4%, of 4 within 8%. Hollows of
+   4 in bright media come out too bright by up to 40%. */
 MS_API double ms_sss_elevation(double reflectance, double index);
 
 /* ---- kernels --------------------------------------------------------------------------------------------------- */
@@ -442,8 +442,8 @@ MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors
    T(s) = (1 - R^2) x / (1 - R^2 x^2) (1 - 0.85 (1 - R)^5 (1 - x^0.8)) is the fraction that a slab transmits of light
    that enters its far side evenly from all directions, with x = exp(-decay s) and R the channel's reflectance: the
    two-stream solution (Kubelka and Munk 1931) with a loss near the surface of dark media. It is within 7% of random
-   walks where R is 0.15 to 0.95 and T above 1e-3; an index of 1.4 inside loses up to 15% more. The profile needs its
-   true reflectance, not one normalized to 1.
+   walks where R is 0.15 to 0.95 and T above 1e-3; with an index of 1.4 inside up to a fifth less passes, a third where
+   R is below 0.4. The profile needs its true reflectance, not one normalized to 1.
    out is 0 where the point faces the lamp, where the entry does not, where R is 0, and where the thickness is NaN.
    Combine it with the filtered light by max: a sum would count the light near the shadow's border twice. */
 MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm, const float normal[3],
@@ -980,7 +980,7 @@ enum {
 };
 
 #define MS_SSS__MASKED_DEPTH 1e15f /* scaled depth of masked pixels: finite, and too far away to count */
-#define MS_SSS__FALLOFF_END 3.0746 /* (1 - (dz / (3.0746 sigma))^2)^4 is within 0.013 of exp(-dz^2 / (2 sigma^2)) */
+#define MS_SSS__FALLOFF_END 3.0746 /* (1 - (dz / (3.0746 sigma))^2)^4 is within 0.034 of exp(-dz^2 / (2 sigma^2)) */
 #define MS_SSS__SPARSE 1e-3f       /* weight below which a tap's height counts as 0 */
 #define MS_SSS__LIGHT_MAX 1e30f    /* pixels from here on are masked: their sums would be infinite */
 #define MS_SSS__AREA_MAX 3.0f      /* bound on the area that one tap represents */
@@ -1061,8 +1061,8 @@ typedef enum ms_sss__weights {
 } ms_sss__weights;
 
 /* Square of the radius of a level's gather, in pixels of the next level. Wider gathers measure the shape from nearer
-   by, narrower ones cost less: 1.75 and 2.2 of six pixels, wide 2.24 and 3.74 of eight. A wide level 0 of 2.5 or 2.8 is
-   nearer to random walks, but its error on textures is 1.2% or 1.6% higher. */
+   by, narrower ones cost less: 1.75 and 2.2 of six pixels, wide 2.24 and 3.74 of eight. A wider level 0 is
+   nearer to random walks, but not on textures. */
 #define MS_SSS__GATHER(wide, level) ((wide) ? ((level) > 0 ? 14.0f : 5.0f) : (level) > 0 ? 4.84f : 3.0625f)
 
 /* A pixel of the next coarser level that a gather reads. */
@@ -1364,7 +1364,7 @@ static MS_SSS__INLINE unsigned ms_sss__bits_neon(uint32x4_t m)
 #define MS__EVEN(a, b) MS__ORDER(MS__EVENS(a, b))
 #define MS__ODD(a, b) MS__ORDER(MS__ODDS(a, b))
 
-/* 1 / a, relative error 2e-7, for a from 1e-30 to 1e30 */
+/* 1 / a to a few roundings; not where it is subnormal */
 static MS_SSS__INLINE MS__V MS__F(inverse)(MS__V a)
 {
 #ifdef MS__RCP
@@ -1375,7 +1375,7 @@ static MS_SSS__INLINE MS__V MS__F(inverse)(MS__V a)
 #endif
 }
 
-/* 1 / sqrt(a): relative error 3e-7. */
+/* 1 / sqrt(a) to a few roundings. */
 static MS_SSS__INLINE MS__V MS__F(inverse_root)(MS__V a)
 {
 #ifdef MS__RSQRT
@@ -2352,9 +2352,8 @@ static void MS__F(gather)(const ms_sss__pyramid_params *s, const float *const ow
 /* --- the picture's own level --- */
 
 /* A pixel's neighbors: light and weights by (1, 2, 1) / 4 both ways, of those near its tangent plane, elevated as by
-   gather. radius: of the kernel in pixels. Elevation counts in full up to 10 pixels and not from 20 on:
-   against random walks it takes 14.0 to 12.8% at 5.5 pixels and 10.5 to 10.0 at 11 (bust of skin), but adds 0.2 at 27
-   (knot of marble). */
+   gather. radius: of the kernel in pixels. Elevation counts in full up to 10 pixels and not from 20 on: with larger
+   kernels it adds to the error against random walks. */
 static MS_SSS__INLINE void MS__F(gather_neighbors)(const ms_sss__pyramid_params *s, const float *const row[4],
                                                    ptrdiff_t stride, int i, MS__V d, MS__V dx, MS__V dy, MS__V coverage,
                                                    MS__V radius, MS__F(gathered) * sum)
@@ -4098,18 +4097,20 @@ static double ms_sss__descend(const ms_sss__squares *p, double *x, int rounds, d
     const int n = p->n;
     double *H = scratch, *work = H + n * n, *g = work + n * n, *step = g + n, *trial = step + n;
     double lambda = 1e-2, least = p->evaluate(p, x, NULL, NULL), value = 0;
+    double flat; /* of H: in directions that change nothing, the fit stays where it is */
     int round, tries, i;
     for (round = 0; round < rounds; ++round) {
         memset(H, 0, sizeof *H * (size_t)(n * n));
         memset(g, 0, sizeof *g * (size_t)n);
         p->evaluate(p, x, H, g);
+        for (flat = DBL_MIN, i = 0; i < n; ++i) flat = fmax(flat, 1e-12 * H[i * n + i]);
         for (tries = 0; tries < 8; ++tries) { /* (H + lambda diag H) step = g */
             memcpy(work, H, sizeof *H * (size_t)(n * n));
             memcpy(step, g, sizeof *g * (size_t)n);
-            for (i = 0; i < n; ++i) work[i * n + i] += lambda * H[i * n + i] + DBL_MIN;
+            for (i = 0; i < n; ++i) work[i * n + i] += lambda * fmax(H[i * n + i], flat);
             value = HUGE_VAL;
-            if (ms_sss__cholesky_solve(work, step, n)) { /* bounds: for directions that change nothing */
-                for (i = 0; i < n; ++i) trial[i] = x[i] + fmax(-1e6, fmin(step[i], 1e6));
+            if (ms_sss__cholesky_solve(work, step, n)) {
+                for (i = 0; i < n; ++i) trial[i] = x[i] + step[i];
                 value = p->evaluate(p, trial, NULL, NULL);
             }
             lambda *= value < least ? 0.2 : 6;

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Runs a group of tests, two programs at a time (test: three), and ends with "N passed, N failed, N skipped".
-#   sh tests/run.sh check      what needs a C compiler only: two minutes
+#   sh tests/run.sh check      what needs a C compiler only: a minute and a half
 #   sh tests/run.sh test       check, the headers without SIMD and as C++ by another compiler, every way to use them, packages: eight minutes
 #   sh tests/run.sh long       what test leaves out: the long versions at -O3, fused products and sums, GCC's C++, stack of every call
 #   sh tests/run.sh style      warnings as errors: GCC and Clang, C99 and C++11, -O0 and -O3, 32-bit where there is one
@@ -180,7 +180,7 @@ replay_jobs() {
     if compiles $CC -m32; then
         narrow="$CC $posix $paths -std=c99 -m32 -msse2 -mfpmath=sse -O1 $1"
         job replay_32bit "$narrow tests/fuzz/fuzz_safetensors.c tests/fuzz/replay.c -o $out/fuzz_32bit -lm && $out/fuzz_32bit tests/fuzz/corpus_safetensors 2000"
-        job test_nn_32bit "$narrow tests/test_nn.c -o $out/test_nn_32bit -lm -lpthread && $out/test_nn_32bit sizes"
+        job test_nn_32bit "$narrow -O0 tests/test_nn.c -o $out/test_nn_32bit -lm -lpthread && $out/test_nn_32bit $([ $group != check ] || echo --build) sizes"
     else
         job replay_32bit "echo '$CC cannot build for 32 bits here'; exit 77"
     fi
@@ -209,6 +209,24 @@ check_jobs() {
 }
 
 if [ -f /usr/include/embree4/rtcore.h ] || [ -f /usr/local/include/embree4/rtcore.h ]; then embree=-lembree4; else embree=-lembree3; fi
+
+# warnings_jobs: what make sanitize and check-style would say of the tests (C, C++), and of the headers with their inner calls, without code
+warnings_jobs() {
+    flags="-std=c99 -O1 -fsyntax-only -Werror"
+    ! compiles $CC -fsanitize=address,undefined || flags="$flags -fsanitize=address,undefined"
+    {
+        for t in tests/test_*.c tests/attack/*.c; do echo "$CC $posix $paths -Itests/attack $warn_c $flags$(linked "$t") $t || bad=1"; done
+        for t in tests/test_*.c; do ! have clang++ || echo "clang++ -x c++ -std=c++11 $posix $paths $warn -Werror -fsyntax-only$(linked "$t") $t || bad=1"; done
+        for h in $headers; do
+            n=${h%.h}
+            upper=$(echo $n | tr a-z A-Z)
+            [ ! -f "tests/${n#ms_}_inside.h" ] ||
+                echo "$CC $posix $paths $warn_c $flags -D${upper}_IMPLEMENTATION -x c /dev/null -include $h -DTEST_INSIDE= -include ${n#ms_}_inside.h || bad=1"
+        done
+        echo '[ -z "${bad:-}" ]'
+    } >"$out/warnings.sh"
+    job warnings "sh $out/warnings.sh"
+}
 
 test_group() {
     # first those that wait for a browser
@@ -242,6 +260,7 @@ test_group() {
         job "symbols_$n" "sh tests/dropin/symbols.sh $h $out/symbols_$n"
     done
     attack_jobs 60
+    warnings_jobs
     job dropin_msvc "sh tests/dropin/msvc.sh $out/dropin_msvc $(echo $headers)"
     job dropin_builds "sh tests/dropin/builds.sh $out/dropin_builds"
     test_jobs "scalar_" "$CC" "-std=c99 $CFLAGS -DMS_NO_SIMD" "" "--build --no-simd"

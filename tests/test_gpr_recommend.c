@@ -3,10 +3,10 @@
 #include "ms_gpr.h"
 #include "test.h"
 #include "json.h"
+#include "space.h"
 #include "users.h"
 #include "gpr_inside.h"
 #include "plane.h"
-#include "space.h"
 #include "warnings.h"
 
 /* --- help --- */

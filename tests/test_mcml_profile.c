@@ -706,6 +706,7 @@ static void walks_agree_with_the_solver(void)
     unsigned k, q;
     double least = 1;
     uint64_t seed = test_seed + 6;
+    TEST_METHOD;
     for (k = 0; k < 3; ++k) {
         double rd[WHITE_RINGS], se[WHITE_RINGS];
         int i;

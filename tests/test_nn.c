@@ -1791,7 +1791,7 @@ static void test_any_sizes(void)
     ms_nn_options o = ms_nn_defaults();
     ms_nn_entry e[3] = {{"ms_nn_version", "1"}, {"ms_nn_input", NULL}, {"ms_nn_layers", NULL}};
     uint64_t state = test_seed + 60;
-    int k, ran = 0, loaded = 0, total = test_full ? 200000 : 20000;
+    int k, ran = 0, loaded = 0, total = test_full ? 200000 : test_build ? 8000 : 20000;
     o.allocator.alloc = at_most_16_mb;
     o.allocator.release = give_back;
     o.simd = MS_SIMD_SCALAR;

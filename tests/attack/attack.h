@@ -1,7 +1,7 @@
 /* Attacks: random valid calls of a header, and what must hold for each without a reference. A program has families;
    each draws cases from its own generator and checks them.
 
-     attack_X [--seconds 10] [--seed N] [--case K] [--draws 1,2,3] [--cases FILE] [--limit 30] [FAMILY]
+     attack_X [--seconds 10] [--seed N] [--case K] [--draws 1,2,3] [--host H] [--cases FILE] [--limit 30] [FAMILY]
 
    Each run takes a fresh seed (of time and process) and prints it. --seed N --case K runs one case again and tells what
    it drew; --draws runs a list of draws. On POSIX systems cases run in a child process, so that a crash, a report of a
@@ -9,6 +9,9 @@
    shrunk: draws are left out or made smaller as long as the same failure is seen. Each kind of failure is told once,
    with the processor time after which it was first seen. Lines "X FAMILY DRAWS" of FILE run before: failures of earlier
    runs. The last line is "N passed, N failed": families.
+
+   Hosts differ: a quarter of the cases run where subnormals are flushed to zero and read as zero (1 of H), a quarter
+   where the locale writes 1,5 for 1.5 (2), as far as this machine has that. FILE says "X+H FAMILY DRAWS" of these.
 
    A draw is 32 bits. All calls below make the simplest value of a draw of 0, and of the draws that a shortened list
    lacks. */
@@ -21,8 +24,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#if defined(__SSE2__) || defined(_M_X64)
+#include <xmmintrin.h>
+#endif
 #if !defined(__wasi__) && !defined(_WIN32)
 #define ATTACK_FORK 1
+#include <locale.h>
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -47,6 +54,7 @@ typedef struct attack_family {
 } attack_family;
 
 enum { ATTACK_DRAWS = 8192, ATTACK_FAMILIES = 32, ATTACK_KINDS = 24 };
+enum { ATTACK_FLUSH = 1, ATTACK_COMMA = 2 };
 
 /* Of the running case; the parent process reads it after a crash. */
 typedef struct attack_board {
@@ -58,7 +66,8 @@ typedef struct attack_board {
     uint64_t slowest_at[ATTACK_FAMILIES];
     double before; /* processor seconds of earlier children */
     double first;  /* when the case failed: seconds of the whole run */
-    int running, draws, given, drew_more;
+    int running, draws, given, drew_more, host;
+    uint64_t hosts[4]; /* cases by host */
     uint32_t draw[ATTACK_DRAWS];
     int failed;
     char message[500], story[8000];
@@ -304,6 +313,36 @@ static uint64_t attack_hash(const char *text, uint64_t seed, uint64_t number)
     return state;
 }
 
+/* Turns this thread into a host of that kind; returns what of it this machine has. */
+static int attack_become(int host)
+{
+    static int was;
+    int has = 0;
+#if defined(__SSE2__) || defined(_M_X64)
+    _mm_setcsr((_mm_getcsr() & ~0x8040u) | (host & ATTACK_FLUSH ? 0x8040u : 0));
+    has |= host & ATTACK_FLUSH;
+#elif defined(__GNUC__) && defined(__aarch64__)
+    {
+        uint64_t control;
+        __asm__ volatile("mrs %0, fpcr" : "=r"(control));
+        control = host & ATTACK_FLUSH ? control | 1u << 24 : control & ~((uint64_t)1 << 24);
+        __asm__ volatile("msr fpcr, %0" : : "r"(control));
+        has |= host & ATTACK_FLUSH;
+    }
+#endif
+#if ATTACK_FORK
+    if (host & ATTACK_COMMA) {
+        static const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "nl_NL.UTF-8", "de_DE"};
+        size_t i;
+        for (i = 0; i < sizeof names / sizeof *names && !(has & ATTACK_COMMA); ++i)
+            if (setlocale(LC_NUMERIC, names[i]) != NULL && *localeconv()->decimal_point == ',') has |= ATTACK_COMMA;
+    }
+    if (was & ATTACK_COMMA && !(has & ATTACK_COMMA)) setlocale(LC_NUMERIC, "C");
+#endif
+    was = has;
+    return has;
+}
+
 /* One case in this process; `given` draws come from the board, or all from the seed where it is below 0. */
 static void attack_case(const attack_family *family, uint64_t seed, uint64_t number, int given)
 {
@@ -313,6 +352,12 @@ static void attack_case(const attack_family *family, uint64_t seed, uint64_t num
     attack->message[0] = attack->story[0] = 0;
     attack_replays = given >= 0;
     attack_state = attack_hash(family->name, seed, number);
+    if (given < 0) {
+        uint64_t apart = attack_state;
+        attack->host = (int)(attack_mix(&apart) >> 62) % 3; /* 0 twice as often */
+    }
+    attack->host = attack_become(attack->host);
+    ++attack->hosts[attack->host];
     memset(&attack_heap, 0, sizeof attack_heap);
     attack_heap.limit = (size_t)1 << 30;
     attack->running = 1;
@@ -326,6 +371,7 @@ static void attack_case(const attack_family *family, uint64_t seed, uint64_t num
 #endif
     family->run();
     attack->running = 0;
+    attack_become(0);
     if (attack_heap.blocks != 0)
         attack_fail("memory not given back: %ld blocks, %zu bytes", attack_heap.blocks, attack_heap.bytes);
 }
@@ -394,8 +440,9 @@ static void attack_tell(const attack_family *family, uint64_t seed, const char *
         printf("     %s%s", attack->story, attack->story[strlen(attack->story) - 1] == '\n' ? "" : "\n");
     printf("     again: %s --seed %llu --case %llu %s\n", program, (unsigned long long)seed,
            (unsigned long long)attack->number, family->name);
+    if (attack->host) printf("     host:  %s\n", attack->host & ATTACK_FLUSH ? "flushes subnormals" : "writes 1,5");
     if (attack->draws > 0 && attack->draws <= 200) {
-        printf("     or:    %s --draws ", program);
+        printf("     or:    %s --host %d --draws ", program, attack->host);
         for (i = 0; i < attack->draws; ++i) printf("%s%lu", i ? "," : "", (unsigned long)attack->draw[i]);
         printf(" %s\n", family->name);
     }
@@ -489,6 +536,7 @@ static void attack_shrink(const attack_family *families, int count, uint64_t see
                 ++tries;
                 attack->family = best.family;
                 attack->number = best.number;
+                attack->host = best.host;
                 if (attack_child(families, count, NULL, seed, 0, given, log)) {
                     attack_kind_of(attack->message, family, now);
                     if (strcmp(kind, now) == 0 && attack->draws <= best.draws) {
@@ -506,6 +554,7 @@ static void attack_shrink(const attack_family *families, int count, uint64_t see
             }
         }
     }
+    memcpy(best.hosts, attack->hosts, sizeof best.hosts);
     best.kinds = attack->kinds;
     memcpy(best.kind, attack->kind, sizeof best.kind);
     memcpy(best.seen, attack->seen, sizeof best.seen);
@@ -534,7 +583,8 @@ static void attack_earlier(const attack_family *families, int count, const char 
         int at = 0, i, given = 0;
         char *draws = line;
         if (sscanf(line, "%39s %39s %n", header, family, &at) < 2 || line[0] == '#' || at == 0) continue;
-        if (strncmp(name + 7, header, strlen(header)) != 0) continue;
+        attack->host = strchr(header, '+') ? atoi(strchr(header, '+') + 1) : 0;
+        if (strncmp(name + 7, header, strcspn(header, "+")) != 0) continue;
         for (i = 0; i < count && strcmp(families[i].name, family) != 0;) ++i;
         if (i == count) continue;
         for (draws += at; *draws >= '0' && *draws <= '9' && given < ATTACK_DRAWS; draws += *draws == ',')
@@ -573,6 +623,7 @@ static int attack_main(int argc, char **argv, const attack_family *families, int
         else if (strcmp(argv[i], "--seed") == 0 && i + 1 < argc) seed = strtoull(argv[++i], NULL, 10);
         else if (strcmp(argv[i], "--case") == 0 && i + 1 < argc) number = strtoull(argv[++i], NULL, 10), one = 1;
         else if (strcmp(argv[i], "--draws") == 0 && i + 1 < argc) draws = argv[++i], one = 1;
+        else if (strcmp(argv[i], "--host") == 0 && i + 1 < argc) attack->host = atoi(argv[++i]);
         else if (strcmp(argv[i], "--cases") == 0 && i + 1 < argc) cases = argv[++i];
         else if (strcmp(argv[i], "--limit") == 0 && i + 1 < argc) attack_limit = atof(argv[++i]);
         else filter = argv[i];
@@ -593,6 +644,19 @@ static int attack_main(int argc, char **argv, const attack_family *families, int
     }
     printf("seed %llu, %g s\n", (unsigned long long)seed, seconds);
     (void)cases;
+#if ATTACK_FORK
+    { /* a locale of its own, where none of these names is installed */
+        static char folder[600];
+        snprintf(folder, sizeof folder,
+                 "mkdir -p '%s.locale' && localedef -i de_DE -f UTF-8 '%s.locale/de_DE.UTF-8' >/dev/null 2>&1", argv[0],
+                 argv[0]);
+        if (attack_become(ATTACK_COMMA) == 0 && system(folder) == 0) {
+            snprintf(folder, sizeof folder, "%s.locale", argv[0]);
+            setenv("LOCPATH", folder, 1);
+        }
+        attack_become(0);
+    }
+#endif
 #if ATTACK_FORK
     {
         double shrinking = 0;
@@ -637,6 +701,9 @@ static int attack_main(int argc, char **argv, const attack_family *families, int
         if (attack->bad[i]) ++failed;
         else ++passed;
     }
+    printf("%llu cases on plain hosts, %llu where subnormals are flushed, %llu where 1.5 is 1,5\n",
+           (unsigned long long)attack->hosts[0], (unsigned long long)attack->hosts[ATTACK_FLUSH],
+           (unsigned long long)attack->hosts[ATTACK_COMMA]);
     printf("%d passed, %d failed\n", passed, failed);
     return failed != 0;
 }

@@ -305,7 +305,9 @@ static void text_add(net *n, const char *format, ...)
     const size_t at = strlen(n->text);
     va_list list;
     va_start(list, format);
+    attack_become(attack->host & ~ATTACK_COMMA); /* JSON has points */
     vsnprintf(n->text + at, sizeof n->text - at, format, list);
+    attack_become(attack->host);
     va_end(list);
 }
 
