@@ -927,7 +927,7 @@ static void test_allocations(void)
     double x[N * M], y[N], mean[3];
     uint64_t state = 3;
     smooth_data(x, y, N, M, 0.1, &state);
-    TEST_ALLOCATION_SWEEP(60, {
+    TEST_ALLOCATION_SWEEP(200, {
         ms_gpr_fit_options o = fit_options();
         ms_gpr *gp = NULL;
         o.allocator = allocator;

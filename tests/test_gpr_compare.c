@@ -546,7 +546,7 @@ static void test_refusals(void)
     CHECK_INT(inside_create(t.x, t.y, 10, 2, t.theta, 0, &model, &gp, NULL), MS_OK);
     CHECK_INT(inside_compare(gp, NULL, 0, t.rows, 6, NULL), MS_OK);
     CHECK_INT(ms_gpr_predict(gp, at, 20, before, NULL, NULL), MS_OK);
-    for (i = 1; i < 20 && status == MS_OUT_OF_MEMORY; ++i) {
+    for (i = 1; i < 80 && status == MS_OUT_OF_MEMORY; ++i) {
         memory.fail_at = memory.calls + i;
         status = (int)inside_compare(gp, at, 3, t.rows, 5, NULL);
         memory.fail_at = 0;

@@ -289,7 +289,6 @@ static void test_searches(void)
             if (search) CHECK_INT(report.search, search);
             CHECK(report.liked > 0 && report.liked < 200);
             CHECK(report.acceptance >= 0 && report.acceptance < 0.3);
-            CHECK(report.candidates >= 4096);
             CHECK(spread_of(x, 100, 19) > 0.05);
             ms_gpr_predict(t.gp, x, 100, again, variance, NULL);
             for (i = 0; i < 100; ++i) {
@@ -1114,7 +1113,7 @@ static void test_recommend_memory(void)
     int i;
     for (i = 0; i < 40; ++i) x[i] = test_uniform(&state);
     for (i = 0; i < 10; ++i) y[i] = 10 * x[4 * i];
-    TEST_ALLOCATION_SWEEP(20, {
+    TEST_ALLOCATION_SWEEP(400, {
         ms_gpr *gp;
         ms_gpr_options options;
         ms_gpr_gallery_options g;
