@@ -19,13 +19,11 @@
       {
           enum { N = 60, M = 5, COUNT = 4 };
           double x[N * M], score[N], found[COUNT * M], mean[COUNT], sigma[COUNT];
-          ms_gpr_view nothing = ms_gpr_view_of(NULL);
           ms_gpr *gp;
           ms_gpr_fit_report report;
           ms_error error;
           int i;
-          nothing.m = M;
-          if (ms_gpr_create(&nothing, NULL, &gp, &error) != MS_OK) return puts(error.message), 1;
+          if (ms_gpr_fit(NULL, NULL, 0, M, NULL, &gp, NULL, &error) != MS_OK) return puts(error.message), 1;
           if (ms_gpr_gallery(gp, NULL, N, x, &error) != MS_OK) return puts(error.message), 1;
           ms_gpr_destroy(gp);
           for (i = 0; i < N; ++i) {
@@ -44,7 +42,7 @@
 
    In the caller's order
    ---------------------
-   1. ms_gpr_gallery     materials to be scored, in batches of 5 to 25; a model of n = 0, theta NULL, gives the first
+   1. ms_gpr_gallery     materials to be scored, in batches of 5 to 25; a fit of nothing gives the first
    2. ms_gpr_fit         learns from scores, from choices such as "the best 2 of 9", or from both
       ms_gpr_update      other data for a model, under the same hyperparameters
    3. ms_gpr_predict, ms_gpr_preference, ms_gpr_relevance     what was learned
@@ -71,7 +69,6 @@
    ------------------------------------------------
    MS_DEF           linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_GPR_FILENAME  this file's name, if it is not "ms_gpr.h"
-   MS_GPR_NO_PLANE  no latent space: a tenth of the object less
    MS_NO_SIMD       scalar text only
 
    Limits
@@ -294,8 +291,6 @@ typedef struct ms_gpr_fit_report {
     double likelihood; /* log p(y | X, theta) of the scores as they were modeled, and of the choices */
     double objective;  /* the same plus the log prior, of which the maximum counts as 0 */
     int evaluations;   /* of the likelihood, all starts */
-    int start;         /* the start that won, from 0 */
-    int columns;       /* that differ from row to row; the others are left out */
     double explained;  /* share of the variance of the scores that the other scores predict (leave-one-out). 0 or less:
                           the scores predict each other no better than their mean. 0 below 8 scores */
     ms_gpr_outlier outlier; /* ask the user about it: one wrong score of 100 can spoil all recommendations */
@@ -348,16 +343,14 @@ typedef enum ms_gpr_search {
 
 /* All zero: the defaults. */
 typedef struct ms_gpr_recommend_options {
-    double tau;  /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. floor: as in ms_gpr_view */
-    double best; /* the score that tau = 1 means. 0: the largest given. At most the largest mean in the box */
+    double tau; /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. floor: as in ms_gpr_view; best: the
+                   largest score that was given, but at most the largest mean in the box */
     ms_gpr_space space;
-    const double *avoid; /* [avoid_count][m] "not like these": nothing nearer than avoid_distance to any of them */
+    const double *avoid; /* [avoid_count][m] "not like these": nothing nearer to any of them than 0.15: root mean square
+                            over the dimensions, in widths of the box; uniform pairs are 0.4 apart */
     int avoid_count;
-    double avoid_distance; /* root mean square over the dimensions, in widths of the box; uniform pairs are 0.4 apart.
-                              0: 0.15 */
-    uint64_t seed;         /* stands for a sequence: larger counts go on with it */
+    uint64_t seed; /* stands for a sequence: larger counts go on with it */
     ms_gpr_search search;
-    ms_progress progress; /* asked once every 64 recommendations */
 } ms_gpr_recommend_options;
 
 typedef struct ms_gpr_recommend_report {
@@ -379,37 +372,29 @@ typedef struct ms_gpr_recommend_report {
    report    out, or NULL
    Separate regions that are liked get recommendations in proportion to their volume, as far as 4096 candidates tell it;
    where fewer than 16 of them hit any, from the answered materials and a climb. MS_NOT_CONVERGED: there are not so many
-   different materials, or all others are to be avoided; then, and with MS_CANCELLED, the first report->found rows are
-   valid.
+   different materials, or all others are to be avoided; then the first report->found rows are valid.
    MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Thesis 3.4.1; Neal 2003, slice sampling. */
 MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
                                   double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error);
-
-typedef enum ms_gpr_gallery_kind {
-    MS_GPR_GALLERY_ACTIVE = 0, /* spread evenly until something is liked; then those near the threshold of
-                                  recommendations (largest 1.96 sigma - |mean - threshold of tau = 0.6|). Choices do
-                                  not tell what is liked at all: after some, every second one is of the largest
-                                  P(score > floor) sigma */
-    MS_GPR_GALLERY_SPREAD = 1  /* uniform, each parameter evenly over its range (a Latin hypercube) */
-} ms_gpr_gallery_kind;
 
 /* All zero: the defaults. */
 typedef struct ms_gpr_gallery_options {
     ms_gpr_space space;
     uint64_t seed; /* the number of scores is part of it: every round gives another gallery */
-    ms_gpr_gallery_kind kind;
 } ms_gpr_gallery_options;
 
-/* Materials x [count][m], out, that the user is to score next; different ones, if there are so many. Half of the
-   candidates are uniform, half variants of what was liked: a material drawn in proportion to its score, half of them
-   crossed with a second one, some parameters drawn anew. Each choice takes those before it as scored. If fewer than
-   three of 60 scored materials are liked, ask for choices ("the best 2 of 9"): they find rare tastes sooner.
+/* Materials x [count][m], out, that the user is to score next; different ones, if there are so many. They are spread
+   until something is liked; then they are near the threshold of recommendations: largest 1.96 sigma - |mean - threshold
+   of tau = 0.6|. Choices do not tell what is liked at all: after some, every second material is of the largest P(score >
+   floor) sigma. Half of the candidates are uniform, half variants of what was liked: a material drawn in proportion to
+   its score, half of them crossed with a second one, some parameters drawn anew. Each choice takes those before it as
+   scored. If fewer than three of 60 scored materials are liked, ask for choices ("the best 2 of 9"): they find rare
+   tastes sooner.
    MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Thesis 3.7; Bryan and others 2005, "Active learning for identifying function
    threshold boundaries". */
 MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x,
                                 ms_error *error);
 
-#ifndef MS_GPR_NO_PLANE
 /* ---- plane ----------------------------------------------------------------------------------------------------- */
 
 /* A plane of variants: the Gaussian-process latent variable model of thesis 3.4.3 with two latent coordinates.
@@ -455,7 +440,6 @@ MS_API ms_gpr_latent_view ms_gpr_latent_view_of(const ms_gpr_latent *plane);
    coordinate of x, without the noise; 0 <= variance <= sf^2. 1 - variance / sf^2 says how much the plane knows. */
 MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x,
                                    double *variance, ms_error *error);
-#endif /* MS_GPR_NO_PLANE */
 
 #ifdef __cplusplus
 }
@@ -743,20 +727,9 @@ static double ms_gpr__pow2(double whole)
 #endif
 
 #if MS_GPR__VECTORS && defined(MS__X64)
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
-#elif defined(__GNUC__)
-#pragma GCC push_options
-#pragma GCC target("avx2,fma")
-#endif
 #define MS_GPR__PASS 3
 #include MS_GPR_FILENAME
 #undef MS_GPR__PASS
-#if defined(__clang__)
-#pragma clang attribute pop
-#elif defined(__GNUC__)
-#pragma GCC pop_options
-#endif
 #endif
 #define MS_GPR__KERNELS_END /* what follows the kernels is read in this inclusion alone */
 #endif
@@ -766,18 +739,22 @@ static double ms_gpr__pow2(double whole)
 
 #define MS_GPR__JOIN_(a, b) a##b
 #define MS_GPR__JOIN(a, b) MS_GPR__JOIN_(a, b)
-#if MS_GPR__PASS == 3
-#define MS_GPR__KERNEL(name) MS_GPR__JOIN(ms_gpr__##name, _avx2)
-#elif MS_GPR__PASS == 2
-#define MS_GPR__KERNEL(name) MS_GPR__JOIN(ms_gpr__##name, _base)
-#else
-#define MS_GPR__KERNEL(name) MS_GPR__JOIN(ms_gpr__##name, _scalar)
-#endif
+#define MS_GPR__KERNEL(name) MS_GPR__JOIN(ms_gpr__##name##_level, MS_GPR__PASS)
 #define MS_GPR__V MS_GPR__KERNEL(v)
 
 /* Vectors are the compiler's own (GCC, Clang), with the language's operators. MADD a b + c is fused where the level
    fuses. ROUND goes to the nearest whole number. POW2 is of a whole number in the normal range. KEEP is
    v where x > limit, else 0. */
+#if MS_GPR__PASS == 3
+#define MS_GPR__STATIC static __attribute__((target("avx2,fma")))
+#define MS_GPR__MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
+#elif MS_GPR__PASS == 2 && defined(MS__NEON)
+#define MS_GPR__STATIC static
+#define MS_GPR__MADD(a, b, c) vfmaq_f64(c, a, b)
+#else
+#define MS_GPR__STATIC static
+#define MS_GPR__MADD(a, b, c) ((a) * (b) + (c))
+#endif
 #if MS_GPR__PASS == 1
 typedef double MS_GPR__V;
 #define MS_GPR__LANES 1
@@ -799,18 +776,11 @@ typedef int64_t MS_GPR__KERNEL(bits) __attribute__((vector_size(MS_GPR__BYTES)))
 #define MS_GPR__ROUND(a) ((a) + MS_GPR__SET(6755399441055744.0) - MS_GPR__SET(6755399441055744.0)) /* 3 * 2^51 */
 #define MS_GPR__POW2(a) ((MS_GPR__V)((MS_GPR__KERNEL(bits))((a) + MS_GPR__SET(6755399441055744.0 + 1023)) << 52))
 #define MS_GPR__KEEP(x, limit, v) ((MS_GPR__V)(((x) > (limit)) & (MS_GPR__KERNEL(bits))(v)))
-static inline MS_GPR__V MS_GPR__KERNEL(set)(double x)
+MS_GPR__STATIC inline MS_GPR__V MS_GPR__KERNEL(set)(double x)
 {
     const MS_GPR__V zero = {0};
     return x - zero; /* -0 stays -0 */
 }
-#endif
-#if MS_GPR__PASS == 3
-#define MS_GPR__MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
-#elif MS_GPR__PASS == 2 && defined(MS__NEON)
-#define MS_GPR__MADD(a, b, c) vfmaq_f64(c, a, b)
-#else
-#define MS_GPR__MADD(a, b, c) ((a) * (b) + (c))
 #endif
 
 #define MS_GPR__WIDE (2 * MS_GPR__LANES) /* divides MS_GPR__BLOCK */
@@ -818,7 +788,7 @@ static inline MS_GPR__V MS_GPR__KERNEL(set)(double x)
 /* exp(-d2 / 2) = 2^t, t = -d2 / (2 log 2) <= 0, as 2^round(t) times a polynomial in the rest f that interpolates (2^f -
    1) / f at the Chebyshev points of [-1/2, 1/2]: error 2e-17 before rounding. Below 2^-500 it is 0: products of two
    such terms would be subnormal and slow. */
-static inline MS_GPR__V MS_GPR__KERNEL(exponential)(MS_GPR__V d2)
+MS_GPR__STATIC inline MS_GPR__V MS_GPR__KERNEL(exponential)(MS_GPR__V d2)
 {
     MS_GPR__V t = d2 * MS_GPR__SET(-0.72134752044448170368), limit = MS_GPR__SET(-500.0);
     MS_GPR__V inside = MS_GPR__KEEP(t, limit, t);
@@ -838,7 +808,7 @@ static inline MS_GPR__V MS_GPR__KERNEL(exponential)(MS_GPR__V d2)
     return MS_GPR__KEEP(t, limit, p);
 }
 
-static inline double MS_GPR__KERNEL(sum)(MS_GPR__V v)
+MS_GPR__STATIC inline double MS_GPR__KERNEL(sum)(MS_GPR__V v)
 {
     double lane[MS_GPR__LANES], total = 0;
     int i;
@@ -847,8 +817,8 @@ static inline double MS_GPR__KERNEL(sum)(MS_GPR__V v)
     return total;
 }
 
-static double MS_GPR__KERNEL(line_mean)(const double *d2, const double *slope, double t, double constant,
-                                        const double *weight, int n)
+MS_GPR__STATIC double MS_GPR__KERNEL(line_mean)(const double *d2, const double *slope, double t, double constant,
+                                                const double *weight, int n)
 {
     MS_GPR__V ahead = MS_GPR__SET(t), rest = MS_GPR__SET(constant), sum = MS_GPR__SET(0.0);
     int i;
@@ -859,8 +829,8 @@ static double MS_GPR__KERNEL(line_mean)(const double *d2, const double *slope, d
     return MS_GPR__KERNEL(sum)(sum);
 }
 
-static void MS_GPR__KERNEL(distances)(double *d2, const double *points, size_t stride, const double *point,
-                                      size_t spacing, int m, int n)
+MS_GPR__STATIC void MS_GPR__KERNEL(distances)(double *d2, const double *points, size_t stride, const double *point,
+                                              size_t spacing, int m, int n)
 {
     int i, k;
     for (i = 0; i < n; i += MS_GPR__WIDE) {
@@ -880,8 +850,9 @@ static void MS_GPR__KERNEL(distances)(double *d2, const double *points, size_t s
 /* A tile of 4 rows and 2 vectors. Depth goes in slices, and two vectors of a slice of -b are copied together, so that
    they stay in the first cache and on few pages. */
 #define MS_GPR__SLICE 96
-static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b,
-                                   size_t b_stride, int rows, int columns, int depth, int parts)
+MS_GPR__STATIC void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, size_t a_stride,
+                                           const double *b, size_t b_stride, int rows, int columns, int depth,
+                                           int parts)
 {
     double strip[MS_GPR__SLICE * MS_GPR__WIDE];
     int from, i, j, k;
@@ -919,15 +890,15 @@ static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, 
     }
 }
 
-static void MS_GPR__KERNEL(exponentials)(double *c, int columns, double scale)
+MS_GPR__STATIC void MS_GPR__KERNEL(exponentials)(double *c, int columns, double scale)
 {
     int j;
     for (j = 0; j < columns; j += MS_GPR__LANES)
         MS_GPR__STORE(c + j, MS_GPR__SET(scale) * MS_GPR__KERNEL(exponential)(MS_GPR__LOAD(c + j)));
 }
 
-static void MS_GPR__KERNEL(slopes)(double *slope, const double *w, const double *points, size_t stride,
-                                   const double *point, int m, int columns)
+MS_GPR__STATIC void MS_GPR__KERNEL(slopes)(double *slope, const double *w, const double *points, size_t stride,
+                                           const double *point, int m, int columns)
 {
     int j, k;
     for (k = 0; k < m; ++k, points += stride, point += stride) {
@@ -942,14 +913,14 @@ static void MS_GPR__KERNEL(slopes)(double *slope, const double *w, const double 
     }
 }
 
-static void MS_GPR__KERNEL(axpy)(double *y, double a, const double *x, int columns)
+MS_GPR__STATIC void MS_GPR__KERNEL(axpy)(double *y, double a, const double *x, int columns)
 {
     int j;
     for (j = 0; j < columns; j += MS_GPR__LANES)
         MS_GPR__STORE(y + j, MS_GPR__MADD(MS_GPR__SET(a), MS_GPR__LOAD(x + j), MS_GPR__LOAD(y + j)));
 }
 
-static double MS_GPR__KERNEL(dot)(const double *x, const double *y, int columns)
+MS_GPR__STATIC double MS_GPR__KERNEL(dot)(const double *x, const double *y, int columns)
 {
     MS_GPR__V sum0 = MS_GPR__SET(0.0), sum1 = sum0;
     int j;
@@ -975,6 +946,7 @@ static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
 #undef MS_GPR__LOAD
 #undef MS_GPR__STORE
 #undef MS_GPR__SET
+#undef MS_GPR__STATIC
 #undef MS_GPR__MADD
 #undef MS_GPR__ROUND
 #undef MS_GPR__POW2
@@ -994,13 +966,13 @@ static ms_simd ms_gpr__simd_pick(ms_simd cap)
 static const ms_gpr__kernels *ms_gpr__kernels_of(ms_simd level)
 {
 #if MS_GPR__VECTORS && defined(MS__X64)
-    if (level == MS_SIMD_AVX2) return &ms_gpr__table_avx2;
+    if (level == MS_SIMD_AVX2) return &ms_gpr__table_level3;
 #endif
 #if MS_GPR__VECTORS
-    if (level == MS_SIMD_BASE) return &ms_gpr__table_base;
+    if (level == MS_SIMD_BASE) return &ms_gpr__table_level2;
 #endif
     (void)level;
-    return &ms_gpr__table_scalar;
+    return &ms_gpr__table_level1;
 }
 #undef MS_GPR__VECTORS
 
@@ -1339,21 +1311,20 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
 }
 
 /* From the best of the starts q [starts][count] to a minimum, in the first row: every start runs for `trial`
-   evaluations. *won: which it was. */
-static ms_gpr__minimum ms_gpr__minimize_starts(ms_gpr__search *s, double *q, int starts, int trial, double *work,
-                                               int *won)
+   evaluations. */
+static ms_gpr__minimum ms_gpr__minimize_starts(ms_gpr__search *s, double *q, int starts, int trial, double *work)
 {
     const int budget = s->evaluations;
     const size_t row = (size_t)s->count;
-    double best = HUGE_VAL;
+    double best = HUGE_VAL, *won = q;
     int i;
     s->evaluations = budget < trial ? budget : trial;
-    for (*won = i = 0; i < starts && starts > 1; ++i) {
+    for (i = 0; i < starts && starts > 1; ++i) {
         ms_gpr__minimum found = ms_gpr__minimize(s, q + (size_t)i * row, work);
         if (found.stopped) return found;
-        if (found.value < best) best = found.value, *won = i;
+        if (found.value < best) best = found.value, won = q + (size_t)i * row;
     }
-    memmove(q, q + (size_t)*won * row, row * sizeof *q);
+    memmove(q, won, row * sizeof *q);
     s->evaluations = budget;
     return ms_gpr__minimize(s, q, work);
 }
@@ -2474,7 +2445,7 @@ static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
     s.tolerance = 1e-4;
     s.evaluations = fit->o.evaluations;
     fit->problem.n = fit->part;
-    found = ms_gpr__minimize_starts(&s, fit->q, fit->starts, MS_GPR__TRIAL, fit->work, &fit->report.start);
+    found = ms_gpr__minimize_starts(&s, fit->q, fit->starts, MS_GPR__TRIAL, fit->work);
     fit->problem.n = n;
     if (found.stopped || fit->part == n) return found;
     s.tolerance = 0.1; /* of a log posterior: what is below it changes no prediction */
@@ -2532,7 +2503,6 @@ static ms_status ms_gpr__fit_run(ms_gpr__fit *fit, ms_error *error)
         status = ms__fail(error, MS_BAD_DATA, 0, "the scores span about %g: expected more than %g; scale them",
                           fit->unit, 1 / MS_GPR__LARGEST);
     if (status != MS_OK) return status;
-    fit->report.columns = fit->m;
     ms_gpr__fit_rows(fit);
     ms_gpr__fit_starts(fit);
     fit->problem.m = fit->m;
@@ -2650,9 +2620,7 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
 /* ---- search ---------------------------------------------------------------------------------------------------- */
 
 /* A stream of random numbers of its own for every seed and stream: splitmix64 (Steele, Lea & Flood 2014). */
-typedef struct ms_gpr__random {
-    uint64_t state;
-} ms_gpr__random;
+typedef uint64_t ms_gpr__random;
 
 static uint64_t ms_gpr__mix(uint64_t z)
 {
@@ -2663,15 +2631,13 @@ static uint64_t ms_gpr__mix(uint64_t z)
 
 static ms_gpr__random ms_gpr__random_make(uint64_t seed, uint64_t stream)
 {
-    ms_gpr__random random;
-    random.state = ms_gpr__mix(seed + 0x9e3779b97f4a7c15u * ms_gpr__mix(stream + 0x9e3779b97f4a7c15u));
-    return random;
+    return ms_gpr__mix(seed + 0x9e3779b97f4a7c15u * ms_gpr__mix(stream + 0x9e3779b97f4a7c15u));
 }
 
 /* Uniform in the open interval (0, 1), 52 bits. */
 static double ms_gpr__uniform(ms_gpr__random *random)
 {
-    uint64_t z = ms_gpr__mix(random->state += 0x9e3779b97f4a7c15u);
+    uint64_t z = ms_gpr__mix(*random += 0x9e3779b97f4a7c15u);
     return ((double)(z >> 12) + 0.5) * (1.0 / 4503599627370496.0);
 }
 
@@ -2870,6 +2836,7 @@ enum {
     MS_GPR__CLIMB = 5,      /* steps along every axis of the climb to the largest mean */
     MS_GPR__BEST_OF = 10    /* variants of which the one with the largest mean is taken */
 };
+static const double MS_GPR__AVOID = 0.15; /* see ms_gpr_recommend_options */
 static const double MS_GPR__REACH = 3.0;  /* length scales that a slice is long, at most */
 static const int MS_GPR__REFUSED = 20000; /* candidates in a row that were known or to be avoided, at most */
 /* Mean sigma of recommendations over (best - floor) from which on variants are recommended in their place. Below it,
@@ -2907,28 +2874,23 @@ typedef struct ms_gpr__sampler {
     ms_gpr_recommend_report report;
 } ms_gpr__sampler;
 
-/* Squared root-mean-square distance, in widths of the box, of x to the nearest of `count` rows. */
-static double ms_gpr__nearest2(const ms_gpr__box *box, const double *rows, int count, const double *x)
+/* Whether x is nearer than MS_GPR__AVOID to one of `count` rows. */
+static int ms_gpr__avoided(const ms_gpr__box *box, const double *rows, int count, const double *x)
 {
-    double nearest = 1e300;
     int i, k;
     for (i = 0; i < count; ++i, rows += box->m) {
         double sum = 0;
-        for (k = 0; k < box->m && sum < nearest; ++k) {
-            double d = (rows[k] - x[k]) * box->per[k];
-            sum += d * d;
-        }
-        if (sum < nearest) nearest = sum;
+        for (k = 0; k < box->m; ++k) sum += (rows[k] - x[k]) * box->per[k] * (rows[k] - x[k]) * box->per[k];
+        if (sum < MS_GPR__AVOID * MS_GPR__AVOID * box->m) return 1;
     }
-    return nearest / box->m;
+    return 0;
 }
 
 /* The next candidate of the sequence, and its mean. */
 static void ms_gpr__sampler_accept(ms_gpr__sampler *h, const double *x, double mean)
 {
     const size_t size = (size_t)h->source.gp->m * sizeof *x;
-    const double near2 = h->o.avoid_distance * h->o.avoid_distance;
-    const int avoid = h->o.avoid_count > 0 && ms_gpr__nearest2(&h->source.box, h->o.avoid, h->o.avoid_count, x) < near2;
+    const int avoid = ms_gpr__avoided(&h->source.box, h->o.avoid, h->o.avoid_count, x);
     int known = avoid, i;
     if (h->taken == h->count) return;
     for (i = 0; i < h->taken && !known; ++i) known = memcmp(h->x + (size_t)(i * h->source.gp->m), x, size) == 0;
@@ -2937,16 +2899,6 @@ static void ms_gpr__sampler_accept(ms_gpr__sampler *h, const double *x, double m
     if (known) return;
     memcpy(h->x + (size_t)h->taken++ * (size_t)h->source.gp->m, x, size);
     h->least = fmin(h->least, mean);
-}
-
-/* Between rounds: MS_CANCELLED, or MS_NOT_CONVERGED where candidates are refused all the time. */
-static ms_status ms_gpr__sampler_go_on(const ms_gpr__sampler *h)
-{
-    const ms_progress *progress = &h->o.progress;
-    if (h->taken == h->count) return MS_OK;
-    if (h->refused > MS_GPR__REFUSED) return MS_NOT_CONVERGED;
-    if (progress->report && progress->report(progress->user, (double)h->taken / h->count)) return MS_CANCELLED;
-    return MS_OK;
 }
 
 /* --- chains: slice sampling (Neal 2003) --- */
@@ -3054,7 +3006,7 @@ static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, int *liking, ms_error
     ms_gpr__source *s = &h->source;
     const ms_gpr *gp = s->gp;
     ms_gpr__random random = ms_gpr__random_make(h->o.seed, 0);
-    double best = -HUGE_VAL, top = h->o.best < 0 || h->o.best > 0 ? h->o.best : s->top;
+    double best = -HUGE_VAL, top;
     size_t m = (size_t)gp->m;
     int count = MS_GPR__PILOT + gp->n, hits = 0, top_row = 0, i;
     ms_status status;
@@ -3076,7 +3028,7 @@ static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, int *liking, ms_error
     status = ms_gpr_predict(gp, h->candidate + (size_t)count * m, 1, h->mean + count, NULL, error);
     if (status != MS_OK) return status;
     best = fmax(best, h->mean[count++]);
-    top = fmin(top, best);
+    top = fmin(s->top, best);
     *liking = best > s->floor && top > s->floor;
     h->report.liked = s->liked;
     h->report.best = best;
@@ -3124,7 +3076,7 @@ static ms_status ms_gpr__sampler_chains(ms_gpr__sampler *h, ms_error *error)
         status = ms_gpr_predict(h->source.gp, h->candidate, MS_GPR__WAVE, h->mean, NULL, error);
         for (i = 0; i < MS_GPR__WAVE && status == MS_OK; ++i) /* but for rounding along a chain */
             if (h->mean[i] >= h->threshold) ms_gpr__sampler_accept(h, h->candidate + (size_t)i * m, h->mean[i]);
-        if (status == MS_OK) status = ms_gpr__sampler_go_on(h);
+        if (h->refused > MS_GPR__REFUSED && status == MS_OK) return MS_NOT_CONVERGED;
     }
     return status;
 }
@@ -3151,7 +3103,7 @@ static ms_status ms_gpr__sampler_variants(ms_gpr__sampler *h, ms_error *error)
         ms_gpr__ranked_sort(h->ranked, size);
         for (i = 0; i < MS_GPR__WAVE; ++i)
             ms_gpr__sampler_accept(h, h->candidate + (size_t)h->ranked[i].index * m, h->ranked[i].value);
-        status = ms_gpr__sampler_go_on(h);
+        if (h->refused > MS_GPR__REFUSED) return MS_NOT_CONVERGED;
     }
     return status;
 }
@@ -3191,18 +3143,13 @@ static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *optio
                                            ms_error *error)
 {
     ms_status status;
-    if (options != NULL) *o = *options;
-    else memset(o, 0, sizeof *o);
+    if (options) *o = *options;
     status = ms_gpr__check_range("tau", o->tau, 0, 1, error);
-    if (status == MS_OK) status = ms_gpr__check_range("avoid_distance", o->avoid_distance, 0, MS_GPR__LARGEST, error);
-    if (status == MS_OK) status = ms_gpr__check_range("best", o->best, -MS_GPR__LARGEST, MS_GPR__LARGEST, error);
     if (status == MS_OK) status = ms_gpr__check_range("avoid_count", o->avoid_count, 0, MS_GPR__INT_MAX, error);
     if (status == MS_OK) status = ms_gpr__check_range("search", (int)o->search, 0, (int)MS_GPR_SEARCH_VARIANTS, error);
     if (status == MS_OK && o->avoid_count > 0 && o->avoid == NULL) status = ms_gpr__null("avoid", error);
     if (status != MS_OK) return status;
     if (!(o->tau > 0)) o->tau = 0.6;
-    if (!(o->avoid_distance > 0)) o->avoid_distance = 0.15;
-    if (o->avoid_count == 0) return MS_OK;
     return ms_gpr__check_rows(o->avoid, o->avoid_count, m, MS_GPR__LARGEST, "material to avoid", error);
 }
 
@@ -3216,8 +3163,6 @@ static ms_status ms_gpr__sampler_run(ms_gpr__sampler *h, ms_error *error)
     if (status == MS_OK && h->taken < h->count) status = ms_gpr__sampler_variants(h, error);
     if (h->report.search == MS_GPR_SEARCH_VARIANTS && h->taken > 0) h->report.threshold = h->least;
     h->report.found = h->taken;
-    if (status == MS_CANCELLED)
-        return ms__fail(error, status, 0, "cancelled after %d of %d recommendations", h->taken, h->count);
     if (status != MS_NOT_CONVERGED) return status;
     if (h->refused > 0) reason = ": there are no other materials";
     if (h->avoided > 0) reason = ": the others are too near to one to avoid";
@@ -3258,16 +3203,13 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
 
 /* --- galleries --- */
 
-enum {
-    MS_GPR__CANDIDATES = 1024, /* that a gallery is chosen from, at least; 10 for each choice. 4000 gain nothing */
-    MS_GPR__SPARE = 8          /* candidates for each material of a gallery that is spread evenly, with a snap */
-};
+enum { MS_GPR__CANDIDATES = 1024 }; /* that a gallery is chosen from, at least; 10 for each choice. 4000 gain nothing */
 
 /* A pool of candidates and what is known about them, given the scores and the choices so far. */
 typedef struct ms_gpr__pool {
     ms_gpr__source source;
     double threshold; /* of recommendations */
-    int size, count;  /* candidates, a multiple of CHUNK where their variances are computed; choices */
+    int size, count;  /* candidates, a multiple of CHUNK; choices */
     double *x;        /* [size][m] */
     double *points;   /* [active][size] in length scales, as gp->points */
     double *mean;     /* [size] */
@@ -3276,27 +3218,6 @@ typedef struct ms_gpr__pool {
                          covariance with it, less what earlier ones explain, over its deviation */
     char *taken;      /* [size] 1: chosen, or equal to one that was */
 } ms_gpr__pool;
-
-/* Every parameter of the candidates falls once into each of as many parts of its range. */
-static void ms_gpr__pool_spread(ms_gpr__pool *p, ms_gpr__random *random)
-{
-    const ms_gpr__box *box = &p->source.box;
-    size_t m = (size_t)box->m, k;
-    double *part = p->mean;
-    int i, j;
-    for (k = 0; k < m; ++k) { /* a shuffle */
-        for (j = 0; j < p->size; ++j) {
-            i = (int)(ms_gpr__uniform(random) * (j + 1));
-            part[j] = part[i];
-            part[i] = j;
-        }
-        for (j = 0; j < p->size; ++j) p->x[(size_t)j * m + k] = (part[j] + ms_gpr__uniform(random)) / p->size;
-    }
-    for (j = 0; j < p->size; ++j) {
-        memcpy(p->source.point, p->x + (size_t)j * m, m * sizeof *p->x);
-        ms_gpr__box_material(box, p->source.point, p->x + (size_t)j * m);
-    }
-}
 
 /* Task: a chunk of candidates against the training set. */
 static void ms_gpr__pool_chunk(void *context, int chunk)
@@ -3317,16 +3238,15 @@ static double ms_gpr__pool_worth(const ms_gpr__pool *p, int q, int j)
     return sigma > 0 ? 0.5 * erfc((p->source.floor - p->mean[j]) / (1.4142135623730951 * sigma)) * sigma : 0;
 }
 
-/* The candidate of the largest worth, in a gallery that is spread the first; -1: all are taken. */
-static int ms_gpr__pool_best(const ms_gpr__pool *p, int q, int spread)
+/* The candidate of the largest worth; if all are taken, one of them. */
+static int ms_gpr__pool_best(const ms_gpr__pool *p, int q)
 {
-    double largest = -HUGE_VAL;
-    int best = -1, j;
+    double largest = -HUGE_VAL, worth;
+    int best = q % p->size, j;
     for (j = 0; j < p->size; ++j) {
-        double worth = p->taken[j] ? -HUGE_VAL : spread ? -j : ms_gpr__pool_worth(p, q, j);
-        if (!(worth > largest)) continue;
-        largest = worth;
-        best = j;
+        if (p->taken[j]) continue;
+        worth = ms_gpr__pool_worth(p, q, j);
+        if (worth > largest) largest = worth, best = j;
     }
     return best;
 }
@@ -3352,7 +3272,7 @@ static void ms_gpr__pool_choose(ms_gpr__pool *p, int q, int j)
     }
 }
 
-/* x [m] and all candidates that equal it are taken. */
+/* All candidates that equal x [m] are taken. */
 static void ms_gpr__pool_take(ms_gpr__pool *p, const double *x)
 {
     size_t m = (size_t)p->source.gp->m;
@@ -3361,24 +3281,24 @@ static void ms_gpr__pool_take(ms_gpr__pool *p, const double *x)
         if (memcmp(p->x + (size_t)j * m, x, m * sizeof *x) == 0) p->taken[j] = 1;
 }
 
-/* One choice after the other. With a snap, what was asked before or is chosen is not asked again while there is
+/* The candidates, then one choice after the other. With a snap, what was asked before is not asked again while there is
    something else. */
-static void ms_gpr__pool_run(ms_gpr__pool *p, int spread, double *x)
+static void ms_gpr__pool_run(ms_gpr__pool *p, uint64_t seed, double *x)
 {
     const ms_gpr *gp = p->source.gp;
-    const int discrete = p->source.box.snap != NULL;
-    size_t m = (size_t)gp->m;
-    int q;
-    for (q = 0; q < p->size && !spread; ++q) ms_gpr__scale(gp, p->x + (size_t)q * m, p->points + q, (size_t)p->size);
-    if (!spread) ms__run(&gp->o.parallel, p->size / MS_GPR__CHUNK, ms_gpr__pool_chunk, p);
-    for (q = 0; q < gp->n && discrete; ++q) ms_gpr__pool_take(p, gp->view.x + (size_t)q * m);
+    const size_t m = (size_t)gp->m;
+    ms_gpr__random random = ms_gpr__random_make(seed, (uint64_t)gp->n);
+    int best, q;
+    ms_gpr__source_breed(&p->source);
+    ms_gpr__source_fill(&p->source, 2, 0.1, 0.5, &random, p->size, p->x);
+    for (q = 0; q < p->size; ++q) ms_gpr__scale(gp, p->x + (size_t)q * m, p->points + q, (size_t)p->size);
+    ms__run(&gp->o.parallel, p->size / MS_GPR__CHUNK, ms_gpr__pool_chunk, p);
+    for (q = 0; q < gp->n && p->source.box.snap; ++q) ms_gpr__pool_take(p, gp->view.x + (size_t)q * m);
     for (q = 0; q < p->count; ++q) {
-        int best = ms_gpr__pool_best(p, q, spread);
-        if (best < 0) best = q % p->size;
+        best = ms_gpr__pool_best(p, q);
         memcpy(x + (size_t)q * m, p->x + (size_t)best * m, m * sizeof *x);
-        p->taken[best] = 1;
-        if (discrete) ms_gpr__pool_take(p, x + (size_t)q * m);
-        if (!spread) ms_gpr__pool_choose(p, q, best);
+        ms_gpr__pool_take(p, x + (size_t)q * m);
+        ms_gpr__pool_choose(p, q, best);
     }
 }
 
@@ -3388,48 +3308,31 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
     ms_gpr_gallery_options o;
     ms_gpr__pool pool, *p = &pool;
-    ms_gpr__random random;
     ms_status status;
     size_t size;
-    int spread;
     memset(p, 0, sizeof *p);
     memset(&o, 0, sizeof o);
     if (options != NULL) o = *options;
     if (gp == NULL || x == NULL) return ms_gpr__null(gp ? "x" : "gp", error);
     status = ms_gpr__check_range("count", count, 1, 1e6, error);
-    if (status == MS_OK) status = ms_gpr__check_range("kind", (int)o.kind, 0, (int)MS_GPR_GALLERY_SPREAD, error);
     if (status != MS_OK) return status;
     memory.allocator = gp->o.allocator;
     status = ms_gpr__source_make(&p->source, gp, &o.space, &memory, error);
     p->count = count;
     p->threshold = p->source.floor + 0.6 * (p->source.top - p->source.floor);
-    spread = o.kind == MS_GPR_GALLERY_SPREAD || !(p->source.top > p->source.floor); /* the latter: nothing is liked */
-
     p->size = 10 * count > MS_GPR__CANDIDATES ? 10 * count : (int)MS_GPR__CANDIDATES;
     p->size = (p->size + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
-    if (spread) p->size = o.space.snap ? MS_GPR__SPARE * count : count;
     size = (size_t)p->size;
-    p->x = ms_gpr__take(&memory, size, (size_t)gp->m);
+    ms_gpr__take_each(&memory, ms__size_mul(size, (size_t)gp->m), 2, &p->x, &p->points);
     ms_gpr__take_each(&memory, size, 2, &p->mean, &p->variance);
+    p->columns = ms_gpr__take(&memory, size, (size_t)ms_gpr__padded(gp->n) + (size_t)count);
     p->taken = (char *)ms_gpr__take_bytes(&memory, size, 1);
-    if (!spread) p->points = ms_gpr__take(&memory, size, (size_t)gp->m);
-    if (!spread) p->columns = ms_gpr__take(&memory, size, (size_t)ms_gpr__padded(gp->n) + (size_t)count);
     if (status == MS_OK) status = ms_gpr__taken(&memory, "a gallery", error);
-    if (status == MS_OK) {
-        random = ms_gpr__random_make(o.seed, (uint64_t)gp->n);
-        if (spread) {
-            ms_gpr__pool_spread(p, &random);
-        } else {
-            ms_gpr__source_breed(&p->source);
-            ms_gpr__source_fill(&p->source, 2, 0.1, 0.5, &random, p->size, p->x);
-        }
-        ms_gpr__pool_run(p, spread, x);
-    }
+    if (status == MS_OK) ms_gpr__pool_run(p, o.seed, x);
     ms_gpr__release(&memory);
     return status;
 }
 
-#ifndef MS_GPR_NO_PLANE
 /* ---- plane ----------------------------------------------------------------------------------------------------- */
 
 enum {
@@ -3585,7 +3488,7 @@ static ms_status ms_gpr__latent_search(ms_gpr__embedding *e, double spread, ms_e
         q[0] = log(spread);
         q[1] = log(0.3 * spread);
     }
-    found = ms_gpr__minimize_starts(&search, e->q, MS_GPR__LATENT_STARTS, MS_GPR__LATENT_TRIAL, e->work, &k);
+    found = ms_gpr__minimize_starts(&search, e->q, MS_GPR__LATENT_STARTS, MS_GPR__LATENT_TRIAL, e->work);
     if (found.stopped) return ms__fail(error, MS_CANCELLED, 0, "cancelled after %d evaluations", e->evaluations);
     if (found.value < HUGE_VAL) return MS_OK;
     return ms__fail(error, MS_NOT_CONVERGED, 0, "the likelihood is not defined at any start");
@@ -3731,20 +3634,6 @@ MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *lat
     return status;
 }
 
-/* Likelihood, and the root mean square of what the plane makes of its own latents less its materials: that is K'^-1 X
-   times the noise. */
-static void ms_gpr__latent_criticize(ms_gpr__embedding *e, ms_gpr_latent_report *report)
-{
-    const ms_gpr_latent *p = e->plane;
-    const ms_gpr *gp = p->gp;
-    const double noise = ms_gpr__sn2(gp) + gp->view.jitter * ms_gpr__sf2(gp);
-    const size_t data = (size_t)p->m * p->stride;
-    memcpy(e->problem.points, gp->points, 2 * gp->stride * sizeof *gp->points);
-    ms_gpr__latent_likelihood(e, ms_gpr__sf2(gp), noise, &report->likelihood, NULL);
-    report->error = noise * sqrt(ms_gpr__product(p->weight, p->weight, data) / ((double)p->z * p->m));
-    report->evaluations = e->evaluations;
-}
-
 MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_latent_options *options,
                                    ms_gpr_latent **out, ms_gpr_latent_report *report, ms_error *error)
 {
@@ -3774,16 +3663,22 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
     if (status == MS_OK) status = ms_gpr__latent_search(&e, sqrt(spread), error);
     if (status == MS_OK) {
         for (i = 0; i < z; ++i)
-            for (k = 0; k < 2; ++k) e.work[2 * i + k] = e.q[2 + k * z + i];
+            for (k = 0; k < 2; ++k)
+                e.work[2 * i + k] = e.problem.points[(size_t)k * p->stride + (size_t)i] = e.q[2 + k * z + i];
         status = ms_gpr__latent_condition(p, o.simd, e.work, e.q[0], e.q[1], error);
     }
-    if (status == MS_OK && report) ms_gpr__latent_criticize(&e, report);
+    if (status == MS_OK && report) {
+        /* what the plane makes of its own latents, less the materials, is K'^-1 X times the noise */
+        const double noise = ms_gpr__sn2(p->gp) + p->gp->view.jitter * ms_gpr__sf2(p->gp);
+        report->error = noise * sqrt(ms_gpr__product(p->weight, p->weight, (size_t)m * p->stride) / ((double)z * m));
+        ms_gpr__latent_likelihood(&e, ms_gpr__sf2(p->gp), noise, &report->likelihood, NULL);
+        report->evaluations = e.evaluations;
+    }
     ms_gpr__release(&memory);
     if (status != MS_OK) ms_gpr_latent_destroy(p);
     else *out = p;
     return status;
 }
-#endif /* MS_GPR_NO_PLANE */
 
 #endif /* the implementation */
 

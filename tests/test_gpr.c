@@ -512,7 +512,6 @@ static void test_fit_options(void)
     }
     o = fit_options();
     gp = fit(x, y, N, M, &o, &r);
-    CHECK(r.start >= 0 && r.start < 3);
     memcpy(theta, ms_gpr_view_of(gp).theta, sizeof theta);
     ms_gpr_destroy(gp);
     o.start = theta; /* from its own optimum: there at once */
@@ -607,7 +606,6 @@ static void test_constant_columns(void)
                                                                             : k < 5 ? k - 2
                                                                                     : 3)];
             more = fit(wide, y, n, WIDE, NULL, &r);
-            CHECK_INT(r.columns, M);
             ms_gpr_predict(gp, xs, 20, mean, variance, NULL);
             ms_gpr_predict(more, ws, 20, mu, s2, NULL);
             CHECK(memcmp(mean, mu, sizeof mu) == 0 && memcmp(variance, s2, sizeof s2) == 0); /* the very same model */

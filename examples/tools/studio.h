@@ -341,11 +341,14 @@ static inline ms_status studio_like(studio *s, const double *x, int count, ms_er
     if (count < 1) return studio__refuse(error, MS_INVALID_ARGUMENT, "nothing is liked");
     if (s->others == NULL) {
         ms_gpr_gallery_options options;
+        ms_gpr *nothing; /* a model that knows nothing spreads its galleries */
         memset(&options, 0, sizeof options);
-        options.kind = MS_GPR_GALLERY_SPREAD;
+        options.seed = ~(uint64_t)0; /* not what a first gallery shows */
         s->others = (double *)malloc(STUDIO_OTHERS * m * sizeof *s->others);
         if (s->others == NULL) return studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a comparison");
-        status = ms_gpr_gallery(s->gp, &options, STUDIO_OTHERS, s->others, error);
+        status = ms_gpr_fit(NULL, NULL, 0, s->renderer.parameters, NULL, &nothing, NULL, error);
+        if (status == MS_OK) status = ms_gpr_gallery(nothing, &options, STUDIO_OTHERS, s->others, error);
+        ms_gpr_destroy(nothing);
         if (status != MS_OK) {
             free(s->others);
             s->others = NULL;

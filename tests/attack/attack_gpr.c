@@ -313,11 +313,10 @@ static void family_materials(void)
         draw_points(&t, avoid, 2);
         o.avoid = avoid;
         o.avoid_count = 1 + attack_index(2);
-        o.avoid_distance = attack_log(1e-3, 0.5);
     }
     o.seed = attack_draw();
-    attack_say("%d materials, box %d, snap %d, equal %d, tau %.3g, avoid %d within %.3g", count, o.space.low != NULL,
-               o.space.snap != NULL, grid.equal, o.tau, o.avoid_count, o.avoid_distance);
+    attack_say("%d materials, box %d, snap %d, equal %d, tau %.3g, avoid %d", count, o.space.low != NULL,
+               o.space.snap != NULL, grid.equal, o.tau, o.avoid_count);
     memset(&r, 0, sizeof r);
     for (i = 0; i < COUNT * COLUMNS; ++i) x[i] = 7e77;
     status = ms_gpr_recommend(gp, &o, count, x, mean, sigma, &r, &error);
@@ -346,9 +345,9 @@ static void family_materials(void)
                         sum += d * d;
                         ++dimensions;
                     }
-                ATTACK_CHECK(!dimensions || sqrt(sum / t.m) >= o.avoid_distance * (1 - 1e-4) ||
-                                 sqrt(sum / dimensions) >= o.avoid_distance * (1 - 1e-4),
-                             "nearer than it may be: %.6g, %.6g asked", sqrt(sum / dimensions), o.avoid_distance);
+                ATTACK_CHECK(!dimensions || sqrt(sum / t.m) >= 0.15 * (1 - 1e-4) ||
+                                 sqrt(sum / dimensions) >= 0.15 * (1 - 1e-4),
+                             "nearer than it may be: %.6g", sqrt(sum / dimensions));
             }
         if (status == MS_OK) { /* the first of them alone */
             const int first = (count + 1) / 2;
@@ -360,7 +359,6 @@ static void family_materials(void)
     memset(&g, 0, sizeof g);
     g.space = o.space;
     g.seed = o.seed;
-    g.kind = attack_one_in(3) ? MS_GPR_GALLERY_SPREAD : MS_GPR_GALLERY_ACTIVE;
     status = ms_gpr_gallery(gp, &g, count, x, &error);
     if (status != MS_OK) {
         attack_check_error(status, &error);
