@@ -42,7 +42,7 @@
 
    In the caller's order
    ---------------------
-   1. ms_gpr_gallery     materials to be scored, in batches of 5 to 25; a fit of nothing gives the first
+   1. ms_gpr_gallery     materials to be scored, in batches; a fit of nothing gives the first
    2. ms_gpr_fit         learns from scores, from choices such as "the best 2 of 9", or from both
       ms_gpr_update      other data for a model, under the same hyperparameters
    3. ms_gpr_predict, ms_gpr_preference, ms_gpr_relevance     what was learned
@@ -52,14 +52,14 @@
 
    What it costs
    -------------
-   n materials, m parameters. A likelihood with its gradient takes n^3 / 2 + n^2 m multiply-adds. A fit evaluates it 100
-   to 150 times. From 200 scores on nearly all of these use a third of the scores. A mean takes n m, its variance
-   n^2 / 2 more. A model has n^2 + 2 n m doubles; making it takes 3 n^2 more for a while, with choices 4 n^2. A fit has
-   7 n^2 at its peak, with choices 9 n^2. Figures: tests/bench/RESULTS.md, made by `make bench`.
+   n materials, m parameters. A likelihood with its gradient takes n^3 / 2 + n^2 m multiply-adds. From 200 scores on
+   most evaluations of a fit use a third of them. A mean takes n m, its variance n^2 / 2 more. A model has n^2 + 2 n m
+   doubles; making it takes 3 n^2 more for a while, with choices 4 n^2. A fit has 7 n^2 at its peak, with choices 9 n^2.
+   Figures: tests/bench/RESULTS.md, made by `make bench`.
 
    Threads, SIMD, determinism, errors
    ----------------------------------
-   No globals; 20 KB of stack. Const calls may overlap. ms_parallel shares out predictions, recommendations and
+   No globals; 32 KB of stack. Const calls may overlap. ms_parallel shares out predictions, recommendations and
    galleries. Kernels are scalar, or with GCC and Clang SSE2, NEON or AVX2, chosen under the cap options.simd. One level
    of one build gives the same bits for any thread count. Levels and builds differ by rounding, which may lead a fit
    along another path to the same optimum. -ffast-math by the user voids all promises. Outputs are untouched on failure,
@@ -235,7 +235,7 @@ typedef struct ms_gpr_view {
     double floor;       /* the least score that can be given */
     double floor_value; /* below the floor: what scores at the floor, or less, are modeled as. Else there is no floor */
     const double *value; /* [n] y, and predictions for materials without a score */
-    double jitter;       /* added to sn^2, in units of sf^2: 0 nearly always, to 1e-6 */
+    double jitter;       /* added to sn^2, in units of sf^2: 0, or what K' lacks, 1e-15 to 1e-6 */
     ms_simd level;       /* instruction set in use */
 } ms_gpr_view;
 
@@ -246,8 +246,8 @@ MS_API ms_gpr_view ms_gpr_view_of(const ms_gpr *gp);
    of sqrt(m), sf = 1, sn = 0.1. *out is NULL unless MS_OK. MS_BAD_DATA: a value that is not finite or beyond 1e30
    (position: its row, from 1). MS_INVALID_ARGUMENT: also a choice of a row twice, or outside the model (position: the
    choice, from 1). MS_NOT_CONVERGED: K' is not positive definite even with the largest jitter. MS_OUT_OF_MEMORY. n^3 /
-   6 multiply-adds. With choices, or materials without a score, some 2 n^3: Laplace's approximation, whose mean is
-   corrected to third order. */
+   6 multiply-adds. With choices, or materials without a score, more: Laplace's approximation, whose
+   mean is corrected to third order. */
 MS_API ms_status ms_gpr_create(const ms_gpr_view *parts, const ms_gpr_options *options, ms_gpr **out, ms_error *error);
 
 /* gp becomes a model of other parts, of the same m and with the same options. They may point into gp's own view. For a
@@ -293,7 +293,7 @@ typedef struct ms_gpr_fit_report {
     int evaluations;   /* of the likelihood, all starts */
     double explained;  /* share of the variance of the scores that the other scores predict (leave-one-out). 0 or less:
                           the scores predict each other no better than their mean. 0 below 8 scores */
-    ms_gpr_outlier outlier; /* ask the user about it: one wrong score of 100 can spoil all recommendations */
+    ms_gpr_outlier outlier; /* ask the user about it: one wrong score can spoil all recommendations */
 } ms_gpr_fit_report;
 
 /* Learns theta by maximizing its posterior, and makes the model with it. The prior mean is the mean of the scores as
@@ -347,7 +347,7 @@ typedef struct ms_gpr_recommend_options {
                    largest score that was given, but at most the largest mean in the box */
     ms_gpr_space space;
     const double *avoid; /* [avoid_count][m] "not like these": nothing nearer to any of them than 0.15: root mean square
-                            over the dimensions, in widths of the box; uniform pairs are 0.4 apart */
+                            over the dimensions, in widths of the box */
     int avoid_count;
     uint64_t seed; /* stands for a sequence: larger counts go on with it */
     ms_gpr_search search;
@@ -385,11 +385,11 @@ typedef struct ms_gpr_gallery_options {
 
 /* Materials x [count][m], out, that the user is to score next; different ones, if there are so many. They are spread
    until something is liked; then they are near the threshold of recommendations: largest 1.96 sigma - |mean - threshold
-   of tau = 0.6|. Choices do not tell what is liked at all: after some, every second material is of the largest P(score >
-   floor) sigma. Half of the candidates are uniform, half variants of what was liked: a material drawn in proportion to
-   its score, half of them crossed with a second one, some parameters drawn anew. Each choice takes those before it as
-   scored. If fewer than three of 60 scored materials are liked, ask for choices ("the best 2 of 9"): they find rare
-   tastes sooner.
+   of tau = 0.6|. Choices do not tell what is liked at all: after some, every second material is of the largest
+   P(score > floor) sigma. Half of the candidates are uniform, half variants of what was liked: a material drawn in
+   proportion to its score, half of them crossed with a second one, some parameters drawn anew. Each choice takes those
+   before it as scored. If few that were scored are liked, ask for choices ("the best 2 of 9"): they find rare tastes
+   sooner.
    MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Thesis 3.7; Bryan and others 2005, "Active learning for identifying function
    threshold boundaries". */
 MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x,
@@ -786,7 +786,7 @@ MS_GPR__STATIC inline MS_GPR__V MS_GPR__KERNEL(set)(double x)
 #define MS_GPR__WIDE (2 * MS_GPR__LANES) /* divides MS_GPR__BLOCK */
 
 /* exp(-d2 / 2) = 2^t, t = -d2 / (2 log 2) <= 0, as 2^round(t) times a polynomial in the rest f that interpolates (2^f -
-   1) / f at the Chebyshev points of [-1/2, 1/2]: error 2e-17 before rounding. Below 2^-500 it is 0: products of two
+   1) / f at the Chebyshev points of [-1/2, 1/2]: its error is less than rounding's. Below 2^-500 it is 0: products of two
    such terms would be subnormal and slow. */
 MS_GPR__STATIC inline MS_GPR__V MS_GPR__KERNEL(exponential)(MS_GPR__V d2)
 {
@@ -1721,7 +1721,7 @@ static void ms_gpr__problem_make(ms_gpr__problem *p, const ms_gpr__kernels *kern
 /* ---- model ----------------------------------------------------------------------------------------------------- */
 
 static const double MS_GPR__DROPPED = 700.0; /* log l_k of a dimension that is dropped: no exp of it overflows */
-enum { MS_GPR__N_MAX = 30000 };              /* the matrix has 7 GB then */
+enum { MS_GPR__N_MAX = 30000 };              /* by memory */
 enum { MS_GPR__CHOICES_MAX = 10000000 };     /* materials in all choices */
 static const double MS_GPR__LARGEST = 1e30;  /* of a score or an input: squares of sums stay finite */
 static const double MS_GPR__INT_MAX = 2147483647;
@@ -2077,8 +2077,9 @@ static void ms_gpr__leave_one_out(const ms_gpr *gp, double *inverse, double *res
 
 /* --- prediction --- */
 
-/* Means, and where variance is not NULL variances, of CHUNK candidates: scaled [active] rows, in length scales. columns:
-   scratch of one row; with variances [padded n] rows, left as U'^-1 k(training, candidates). Rows are `stride` apart. */
+/* Means, and where variance is not NULL variances, of CHUNK candidates: scaled [active] rows, in length scales.
+   columns: scratch of one row; with variances [padded n] rows, left as U'^-1 k(training, candidates). Rows are `stride`
+   apart. */
 static void ms_gpr__chunk(const ms_gpr *gp, const double *scaled, double *columns, size_t stride, double *mean,
                           double *variance)
 {
@@ -2228,8 +2229,8 @@ static const double MS_GPR__PRIOR_LENGTH = 2.1; /* times sqrt(m) */
 static const double MS_GPR__PRIOR_LENGTH_SPREAD = 1.5;
 static const double MS_GPR__PRIOR_SF_SPREAD = 1.0;
 static const double MS_GPR__PRIOR_SN = 0.5;
-/* Choices alone tell only the ratio of sf and sn, few of them not even that: 0.7 over 0.5 is a person who orders four
-   random pairs of five as they like them (1/2 + atan(ratio) / pi), one standard deviation 71% to 88%. */
+/* Choices alone tell only the ratio of sf and sn, few of them not even that: its prior is a person who orders most
+   random pairs as they like them (1/2 + atan(ratio) / pi of all). */
 static const double MS_GPR__PRIOR_SF_CHOICES = 0.7;
 static const double MS_GPR__PRIOR_SF_CHOICES_SPREAD = 0.5;
 static const double MS_GPR__PRIOR_SN_SPREAD = 0.25;
@@ -2921,8 +2922,8 @@ static void ms_gpr__chain_start(const ms_gpr__sampler *h, ms_gpr__chain *c, uint
     c->shift = 0;
 }
 
-/* Moves to place `to` on an axis if the mean there reaches the level. Where a length-scaled coordinate s moves by d, the
-   squared distance from training point p grows by d (2 s + d) - 2 d p. */
+/* Moves to place `to` on an axis if the mean there reaches the level. Where a coordinate s, in length scales, moves by
+   d, the squared distance from training point p grows by d (2 s + d) - 2 d p. */
 static int ms_gpr__chain_try(const ms_gpr__sampler *h, ms_gpr__chain *c, int axis, double to)
 {
     const ms_gpr *gp = h->source.gp;
@@ -3230,7 +3231,7 @@ static void ms_gpr__pool_chunk(void *context, int chunk)
 
 /* How much candidate j is worth as choice number q: 1.96 sigma - |mean - threshold| ("straddle"); where the model has
    choices, P(score > floor) sigma in turns with it. By the former alone, after five galleries of picks, the divergence
-   of persons who like one class was up to twice as large. */
+   of persons who like one class was larger. */
 static double ms_gpr__pool_worth(const ms_gpr__pool *p, int q, int j)
 {
     double sigma = sqrt(p->variance[j]);

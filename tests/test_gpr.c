@@ -941,6 +941,50 @@ static void test_allocations(void)
     });
 }
 
+/* Bytes at the peak of a model's making, or of a fit of few evaluations. */
+static double peak_of(int choices, int fits)
+{
+    enum { N = 400, M = 2 };
+    static double x[N * M], y[N], theta[M + 2] = {-1, -1, 0, -2};
+    static const int rows[4] = {0, 1, N - 1, 2};
+    uint64_t state = 8;
+    test_memory memory;
+    ms_gpr_fit_options o = fit_options();
+    ms_gpr_options model;
+    ms_gpr_view parts;
+    ms_gpr *gp;
+    smooth_data(x, y, N, M, 0.1, &state);
+    memset(&memory, 0, sizeof memory);
+    memset(&model, 0, sizeof model);
+    memset(&parts, 0, sizeof parts);
+    o.allocator.user = &memory;
+    o.allocator.alloc = test_memory_alloc;
+    o.allocator.release = test_memory_release;
+    o.evaluations = 3;
+    o.choices.rows = rows;
+    o.choices.count = choices;
+    model.allocator = o.allocator;
+    parts.n = N, parts.m = M;
+    parts.x = x, parts.y = y, parts.theta = theta;
+    parts.choices = o.choices;
+    if (fits) CHECK_INT(ms_gpr_fit(x, y, N, M, &o, &gp, NULL, NULL), MS_OK);
+    else CHECK_INT(ms_gpr_create(&parts, &model, &gp, NULL), MS_OK);
+    ms_gpr_destroy(gp);
+    CHECK(memory.blocks == 0 && memory.errors == 0);
+    return (double)memory.peak;
+}
+
+/* What the manual says of memory, and no more than a tenth beside it: rows of n, strides, and the front of every array. */
+static void test_peak(void)
+{
+    int choices;
+    for (choices = 0; choices <= 2; choices += 2) {
+        const double square = 1.1 * 400 * 400 * sizeof(double);
+        CHECK_LE(peak_of(choices, 0), (choices ? 5 : 4) * square);
+        CHECK_LE(peak_of(choices, 1), (choices ? 9 : 7) * square);
+    }
+}
+
 /* --- taste --- */
 
 static double reference_jsd(const reference_user *u, ms_gpr *gp)
@@ -1332,6 +1376,7 @@ static const test_case cases[] = {{"reference", test_reference},
                                   {"refusals", test_refusals},
                                   {"null", test_null},
                                   {"allocations", test_allocations},
+                                  {"peak", test_peak},
                                   {"table_3_2", test_table_3_2},
                                   {"fresh_users", test_fresh_users},
                                   {"few_scores", test_few_scores},
