@@ -408,7 +408,6 @@ typedef struct ms_gpr_latent_options {
                            else as in recommendations, for the range of the embedded materials */
     ms_simd simd;
     ms_allocator allocator;
-    ms_progress progress; /* asked every evaluation */
 } ms_gpr_latent_options;
 
 typedef struct ms_gpr_latent_report {
@@ -421,7 +420,7 @@ typedef struct ms_gpr_latent_report {
    kernel variance: scale parameters to comparable ranges. Length scales are 1, the unit of the plane.
    z^3 / 2 + 2 z^2 m multiply-adds an evaluation. *out is NULL unless MS_OK.
    MS_BAD_DATA: a value that is not finite (position: its row, from 1), or all materials equal. MS_INVALID_ARGUMENT,
-   MS_OUT_OF_MEMORY, MS_CANCELLED. Lawrence 2004, "Gaussian process latent variable models"; thesis (3.8), (3.9). */
+   MS_OUT_OF_MEMORY. Lawrence 2004, "Gaussian process latent variable models"; thesis (3.8), (3.9). */
 MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_latent_options *options,
                                    ms_gpr_latent **out, ms_gpr_latent_report *report, ms_error *error);
 
@@ -786,8 +785,8 @@ MS_GPR__STATIC inline MS_GPR__V MS_GPR__KERNEL(set)(double x)
 #define MS_GPR__WIDE (2 * MS_GPR__LANES) /* divides MS_GPR__BLOCK */
 
 /* exp(-d2 / 2) = 2^t, t = -d2 / (2 log 2) <= 0, as 2^round(t) times a polynomial in the rest f that interpolates (2^f -
-   1) / f at the Chebyshev points of [-1/2, 1/2]: its error is less than rounding's. Below 2^-500 it is 0: products of two
-   such terms would be subnormal and slow. */
+   1) / f at the Chebyshev points of [-1/2, 1/2]: its error is less than rounding's. Below 2^-500 it is 0: products of
+   two such terms would be subnormal and slow. */
 MS_GPR__STATIC inline MS_GPR__V MS_GPR__KERNEL(exponential)(MS_GPR__V d2)
 {
     MS_GPR__V t = d2 * MS_GPR__SET(-0.72134752044448170368), limit = MS_GPR__SET(-500.0);
@@ -1212,6 +1211,7 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
            *direction = gradient + n, *trial = direction + n, *trial_gradient = trial + n, *rho = trial_gradient + n,
            *a = rho + MS_GPR__MEMORY;
     ms_gpr__minimum best;
+    double gain = HUGE_VAL;
     int stored = 0, newest = -1, i, k, defined;
     best.stopped = 0;
     best.evaluations = 1;
@@ -1225,12 +1225,13 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
     }
     while (best.evaluations < s->evaluations) {
         double slope = 0, largest = 0, step = 1, value = 0, decrease = 0, steepest = 0;
-        double *move, *change, length, gain, curvature;
+        double *move, *change, length, curvature;
         for (i = 0; i < s->count; ++i) {
             direction[i] = ms_gpr__at_bound(s, i, q[i], gradient[i]) ? 0 : -gradient[i];
             if (fabs(direction[i]) > steepest) steepest = fabs(direction[i]);
         }
-        if (!(steepest > 0)) break;
+        if (!(steepest > 0) || gain < 1e-3 * s->tolerance) break;
+        if (gain < s->tolerance && steepest * steepest < s->tolerance) break;
         length = 0.5 / fmax(steepest, 0.5);
         for (k = 0; k < stored; ++k) { /* two-loop recursion, on the free variables */
             const size_t at = (size_t)((newest - k + MS_GPR__MEMORY) % MS_GPR__MEMORY);
@@ -1289,12 +1290,11 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
         }
         move = moves + (size_t)((newest + 1) % MS_GPR__MEMORY) * n;
         change = changes + (size_t)((newest + 1) % MS_GPR__MEMORY) * n;
-        for (i = 0, steepest = 0; i < s->count; ++i) {
+        for (i = 0; i < s->count; ++i) {
             move[i] = trial[i] - q[i];
             change[i] = trial_gradient[i] - gradient[i];
             q[i] = trial[i];
             gradient[i] = trial_gradient[i];
-            if (!ms_gpr__at_bound(s, i, q[i], gradient[i])) steepest = fmax(steepest, fabs(gradient[i]));
         }
         gain = best.value - value;
         best.value = value;
@@ -1304,8 +1304,6 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
             rho[newest] = 1 / curvature;
             if (stored < MS_GPR__MEMORY) ++stored;
         }
-        if (gain < s->tolerance && steepest * steepest < s->tolerance) break;
-        if (gain < 1e-3 * s->tolerance) break;
     }
     return best;
 }
@@ -1379,12 +1377,8 @@ static int ms_gpr__factor(const ms_gpr__kernels *f, const double *kernel, size_t
                           double noise, double *upper)
 {
     int padded = ms_gpr__padded(n), i;
-    for (i = 0; i < padded; ++i) {
-        size_t at = (size_t)i * stride + (size_t)(i / MS_GPR__BLOCK * MS_GPR__BLOCK);
-        if (upper != kernel)
-            memcpy(upper + at, kernel + at, ((size_t)i * stride + (size_t)padded - at) * sizeof *upper);
-        upper[(size_t)i * stride + (size_t)i] = sf2 + noise;
-    }
+    memcpy(upper, kernel, (size_t)padded * stride * sizeof *upper);
+    for (i = 0; i < padded; ++i) upper[(size_t)i * (stride + 1)] = sf2 + noise;
     return ms_gpr__cholesky(f, upper, stride, padded, n * 2.220446049250313e-16 * (sf2 + noise));
 }
 
@@ -1589,10 +1583,11 @@ static void ms_gpr__laplace_third(ms_gpr__problem *p, double noise, const double
 }
 
 /* What the gradient of Laplace's log p(y) has besides tr((alpha alpha' - (K + W^-1)^-1) dK) / 2 because f depends on
-   theta (Rasmussen & Williams 2006, 5.5.1): u' dK alpha with u = (I - (K + W^-1)^-1 K) s into u, s as in
-   ms_gpr__laplace_third; and by log sf and log sn through ridge and noise. */
-static void ms_gpr__laplace_implicit(ms_gpr__problem *p, double sf2, double noise, double **implicit, double *by_sf,
-                                     double *by_sn)
+   theta (Rasmussen & Williams 2006, 5.5.1): u' dK alpha with u = (I - (K + W^-1)^-1 K) s, s as in
+   ms_gpr__laplace_third; and by log sf and log sn through ridge and noise. Returns
+   u, in the list of the problem. */
+static const double *ms_gpr__laplace_implicit(ms_gpr__problem *p, double sf2, double noise, double *by_sf,
+                                              double *by_sn)
 {
     const ms_gpr__kernels *f = p->kernels;
     int padded = ms_gpr__padded(p->n), i;
@@ -1614,7 +1609,7 @@ static void ms_gpr__laplace_implicit(ms_gpr__problem *p, double sf2, double nois
     for (i = 0; i < p->n; ++i)
         *by_sf += ridge *
             (p->latent[i] * p->latent[i] + p->inverse[(size_t)i * (p->stride + 1)] + 2 * p->latent[i] * h[i]);
-    *implicit = u;
+    return u;
 }
 
 /* Moves alpha and f from the mode to the mean, to third order: E f = f + C s (Tierney & Kadane 1986). By the mode
@@ -1622,11 +1617,10 @@ static void ms_gpr__laplace_implicit(ms_gpr__problem *p, double sf2, double nois
    the last step is off by the length of that step. 0: no factor. */
 static int ms_gpr__laplace_mean(ms_gpr__problem *p, double sf2, double noise)
 {
-    double *u = NULL, by_sf, by_sn;
+    double by_sf, by_sn;
     int padded = ms_gpr__padded(p->n);
     if (ms_gpr__laplace_factor(p, MS_GPR__RIDGE / sf2, noise) > 1e299) return 0;
-    ms_gpr__laplace_implicit(p, sf2, noise, &u, &by_sf, &by_sn);
-    p->kernels->axpy(p->alpha, 1, u, padded);
+    p->kernels->axpy(p->alpha, 1, ms_gpr__laplace_implicit(p, sf2, noise, &by_sf, &by_sn), padded);
     p->kernels->axpy(p->latent, 1, p->list + 2 * p->stride, padded);
     return 1;
 }
@@ -1641,7 +1635,8 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
     const ms_gpr__kernels *f = p->kernels;
     int padded = ms_gpr__padded(p->n), i, k;
     size_t row = (size_t)padded * sizeof(double);
-    double trace = 0, kernel_sum = 0, by_sf = 0, by_sn = 0, *implicit = NULL;
+    double trace = 0, kernel_sum = 0, by_sf = 0, by_sn = 0;
+    const double *implicit = NULL;
     ms_gpr__covariance(f, p->points, p->stride, p->n, p->m, sf2, p->kernel);
     if (p->soft) {
         for (i = 0; i < padded; ++i) { /* K, whole */
@@ -1659,7 +1654,7 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
              p->n * MS_GPR__LOG_2_PI);
     }
     if (gradient == NULL) return 1;
-    if (p->soft) ms_gpr__laplace_implicit(p, sf2, noise, &implicit, &by_sf, &by_sn);
+    if (p->soft) implicit = ms_gpr__laplace_implicit(p, sf2, noise, &by_sf, &by_sn);
     ms_gpr__minus_inverse(p, p->upper, padded);
 
     /* row by row: weights (alpha_i alpha_j - K'^-1_ij) K_ij, and their sums over d_ijk^2: dK_ij/dlog l_k = K_ij d_ijk^2
@@ -1722,7 +1717,6 @@ static void ms_gpr__problem_make(ms_gpr__problem *p, const ms_gpr__kernels *kern
 
 static const double MS_GPR__DROPPED = 700.0; /* log l_k of a dimension that is dropped: no exp of it overflows */
 enum { MS_GPR__N_MAX = 30000 };              /* by memory */
-enum { MS_GPR__CHOICES_MAX = 10000000 };     /* materials in all choices */
 static const double MS_GPR__LARGEST = 1e30;  /* of a score or an input: squares of sums stay finite */
 static const double MS_GPR__INT_MAX = 2147483647;
 
@@ -1888,17 +1882,15 @@ static ms_status ms_gpr__check_rows(const double *x, int rows, int columns, doub
 static ms_status ms_gpr__check_choices(const ms_gpr_choices *choices, int n, ms_error *error)
 {
     const int *row = choices->rows;
-    int left = MS_GPR__CHOICES_MAX, most, i, j, k, wrong;
-    if (choices->count < 0 || choices->count > MS_GPR__CHOICES_MAX / 2)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "there are %d choices: expected 0 to %d", choices->count,
-                        MS_GPR__CHOICES_MAX / 2);
+    int i, j, k, wrong;
+    ms_status status = ms_gpr__check_range("choices.count", choices->count, 0, MS_GPR__INT_MAX, error);
+    if (status != MS_OK) return status;
     if (choices->count > 0 && row == NULL) return ms_gpr__null("choices.rows", error);
     for (i = 0; i < choices->count; ++i) {
         const int size = ms_gpr__choice_size(choices, i);
-        most = n < left ? n : left;
-        if (size < 2 || size > most)
+        if (size < 2 || size > n)
             return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i + 1, "choice %d has %d materials: expected 2 to %d",
-                            i + 1, size, most);
+                            i + 1, size, n);
         for (j = 0; j < size; ++j) {
             wrong = row[j] < 0 || row[j] >= n;
             for (k = 0; k < j; ++k) wrong |= row[k] == row[j];
@@ -1907,7 +1899,6 @@ static ms_status ms_gpr__check_choices(const ms_gpr_choices *choices, int n, ms_
                                 "choice %d has row %d: expected different rows from 0 to %d", i + 1, row[j], n - 1);
         }
         row += size;
-        left -= size;
     }
     return MS_OK;
 }
@@ -2542,28 +2533,22 @@ static int ms_gpr__fit_outside(const ms_gpr__ranked *sorted, int count, double s
 static void ms_gpr__fit_criticize(ms_gpr__fit *fit, const ms_gpr *gp)
 {
     ms_gpr_outlier *o = &fit->report.outlier;
-    double *residual = fit->problem.target, *variance = fit->problem.weight, sum = 0, sum2 = 0, unexplained = 0;
+    double *residual = fit->problem.target, *variance = fit->problem.weight, unexplained = 0;
     double least, largest, factor, z[MS_GPR__OUTLIER_GROUP + 2];
     int scored = ms_gpr__score_range(gp->view.y, gp->n, &least, &largest), count = 0, above = 0, apart = 0, row, i;
     if (scored < MS_GPR__OUTLIER_ROWS || !(largest > least)) return;
     ms_gpr__leave_one_out(gp, fit->problem.inverse, residual, variance);
     for (i = 0; i < gp->n; ++i) {
         if (!ms_gpr__scored(gp->view.y[i])) continue;
-        sum += ms_gpr__target(gp, i) / scored;
         unexplained += residual[i] * residual[i];
         above += gp->view.y[i] > least;
-    }
-    for (i = 0; i < gp->n; ++i)
-        if (ms_gpr__scored(gp->view.y[i])) sum2 += (ms_gpr__target(gp, i) - sum) * (ms_gpr__target(gp, i) - sum);
-    factor = scored / (scored - 1.0); /* the mean of the others is as far off as that */
-    fit->report.explained = 1 - unexplained / (factor * factor * sum2);
-
-    /* the most contradicted, and whether a group of them stands apart */
-    for (i = 0; i < gp->n; ++i) {
-        if (!ms_gpr__scored(gp->view.y[i])) continue;
         fit->order[count].index = i;
         fit->order[count++].value = fabs(residual[i]) / sqrt(variance[i]);
     }
+    factor = scored / (scored - 1.0); /* the mean of the others is as far off as that */
+    fit->report.explained = 1 - unexplained / (factor * factor * scored * fit->unit * fit->unit);
+
+    /* the most contradicted, and whether a group of them stands apart */
     ms_gpr__ranked_sort(fit->order, count);
     row = fit->order[0].index;
     for (i = 0; i < MS_GPR__OUTLIER_GROUP + 2 && i < count; ++i) z[i] = fit->order[i].value;
@@ -3039,12 +3024,12 @@ static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, int *liking, ms_error
     h->report.threshold = h->threshold;
 
     /* chains start from those that reach it: uniform ones, and where these are few all others as well */
-    for (i = 0; i < count && h->seeds < MS_GPR__SEEDS; ++i) {
-        if (i == MS_GPR__PILOT) hits = h->seeds;
+    for (i = 0; i < count; ++i) {
         if (h->mean[i] < h->threshold || (i >= MS_GPR__PILOT && hits >= MS_GPR__SEEDS_FEW)) continue;
+        hits += i < MS_GPR__PILOT;
+        if (h->seeds == MS_GPR__SEEDS) continue;
         ms_gpr__box_point(&s->box, h->candidate + (size_t)i * m, h->seed + (size_t)h->seeds++ * m);
     }
-    for (i = 0, hits = 0; i < MS_GPR__PILOT; ++i) hits += h->mean[i] >= h->threshold;
     h->report.acceptance = (double)hits / (int)MS_GPR__PILOT;
     return MS_OK;
 }
@@ -3140,17 +3125,14 @@ static ms_status ms_gpr__sampler_make(ms_gpr__sampler *h, ms_gpr__memory *memory
     return status;
 }
 
-static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *options, int m, ms_gpr_recommend_options *o,
-                                           ms_error *error)
+static ms_status ms_gpr__check_recommend(ms_gpr_recommend_options *o, int m, ms_error *error)
 {
-    ms_status status;
-    if (options) *o = *options;
-    status = ms_gpr__check_range("tau", o->tau, 0, 1, error);
+    ms_status status = ms_gpr__check_range("tau", o->tau, 0, 1, error);
     if (status == MS_OK) status = ms_gpr__check_range("avoid_count", o->avoid_count, 0, MS_GPR__INT_MAX, error);
     if (status == MS_OK) status = ms_gpr__check_range("search", (int)o->search, 0, (int)MS_GPR_SEARCH_VARIANTS, error);
     if (status == MS_OK && o->avoid_count > 0 && o->avoid == NULL) status = ms_gpr__null("avoid", error);
-    if (status != MS_OK) return status;
     if (!(o->tau > 0)) o->tau = 0.6;
+    if (status != MS_OK) return status;
     return ms_gpr__check_rows(o->avoid, o->avoid_count, m, MS_GPR__LARGEST, "material to avoid", error);
 }
 
@@ -3181,7 +3163,8 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     status = ms_gpr__check_range("count", count, 1, 0x7fffffff / 16, error);
     if (status != MS_OK) return status;
     memset(h, 0, sizeof *h);
-    status = ms_gpr__recommend_options(options, gp->m, &h->o, error);
+    if (options) h->o = *options;
+    status = ms_gpr__check_recommend(&h->o, gp->m, error);
     if (status != MS_OK) return status;
     h->count = count;
     h->x = x;
@@ -3363,7 +3346,6 @@ typedef struct ms_gpr__embedding {
     double *low, *high;
     double *work; /* of the minimizer */
     double prior;
-    const ms_progress *progress;
     int evaluations;
 } ms_gpr__embedding;
 
@@ -3419,9 +3401,6 @@ static int ms_gpr__latent_objective(void *context, const double *q, double *valu
     const double data = (double)z * e->plane->m;
     double likelihood, penalty = 0;
     int i, k;
-    if (e->progress->report &&
-        e->progress->report(e->progress->user, fmin((double)e->evaluations / (int)MS_GPR__LATENT_LIMIT, 1)))
-        return -1;
     ++e->evaluations;
     for (k = 0; k < 2; ++k)
         memcpy(e->problem.points + (size_t)k * e->problem.stride, q + 2 + k * z, (size_t)z * sizeof *q);
@@ -3490,7 +3469,6 @@ static ms_status ms_gpr__latent_search(ms_gpr__embedding *e, double spread, ms_e
         q[1] = log(0.3 * spread);
     }
     found = ms_gpr__minimize_starts(&search, e->q, MS_GPR__LATENT_STARTS, MS_GPR__LATENT_TRIAL, e->work);
-    if (found.stopped) return ms__fail(error, MS_CANCELLED, 0, "cancelled after %d evaluations", e->evaluations);
     if (found.value < HUGE_VAL) return MS_OK;
     return ms__fail(error, MS_NOT_CONVERGED, 0, "the likelihood is not defined at any start");
 }
@@ -3586,8 +3564,7 @@ MS_API void ms_gpr_latent_destroy(ms_gpr_latent *plane)
 
 MS_API ms_gpr_latent_view ms_gpr_latent_view_of(const ms_gpr_latent *plane)
 {
-    ms_gpr_latent_view view;
-    memset(&view, 0, sizeof view);
+    ms_gpr_latent_view view = {0, 0, NULL, 0, 0};
     if (plane == NULL) return view;
     view.z = plane->z;
     view.m = plane->m;
@@ -3655,7 +3632,6 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
     if (status != MS_OK) return status;
     memory.allocator = o.allocator;
     e.prior = o.prior;
-    e.progress = &o.progress;
     spread = ms_gpr__product(p->x, p->x, (size_t)m * p->stride) / ((double)z * m);
     centers = ms_gpr__product(p->center, p->center, (size_t)m) / m;
     if (!(spread > 1e-300) || !(spread > 1e-26 * centers))

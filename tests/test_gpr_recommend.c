@@ -1451,12 +1451,6 @@ static void test_latent_prior(void)
     json_free(problems);
 }
 
-static int stop_now(void *left, double fraction)
-{
-    (void)fraction;
-    return --*(int *)left < 0;
-}
-
 /* Two and three materials, equal rows, a constant column, one and 200 columns, offsets of 1e8, scales of 1e4 and 1e-6;
    refusals. */
 static void test_latent_hard(void)
@@ -1467,7 +1461,7 @@ static void test_latent_hard(void)
     ms_gpr_latent_report report;
     ms_gpr_latent_options o;
     ms_error error;
-    int problem, i, k, left;
+    int problem, i, k;
     for (problem = 0; problem < 9; ++problem) {
         uint64_t state = (uint64_t)problem + 5;
         int z = problem == 0 ? 2 : problem == 1 ? 3 : 30, m = problem == 4 ? 1 : problem == 5 ? 200 : 12;
@@ -1507,11 +1501,6 @@ static void test_latent_hard(void)
     memset(&o, 0, sizeof o);
     o.prior = -1;
     CHECK_INT(ms_gpr_latent_fit(x, 30, 12, &o, &plane, NULL, &error), MS_INVALID_ARGUMENT);
-    memset(&o, 0, sizeof o);
-    left = 150;
-    o.progress.user = &left;
-    o.progress.report = stop_now;
-    CHECK_INT(ms_gpr_latent_fit(x, 30, 12, &o, &plane, NULL, &error), MS_CANCELLED);
     x[7 * 12 + 3] = (double)NAN;
     CHECK_INT(ms_gpr_latent_fit(x, 30, 12, NULL, &plane, NULL, &error), MS_BAD_DATA);
     CHECK_INT(error.position, 8);
