@@ -955,7 +955,6 @@ static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
 #if defined(MS_GPR__KERNELS_END) && !defined(MS_GPR__PASS)
 #undef MS_GPR__KERNELS_END
 
-/* The best level is AVX2. */
 static ms_simd ms_gpr__simd_pick(ms_simd cap)
 {
     ms_simd level = ms__simd_pick(MS_GPR__VECTORS ? cap : MS_SIMD_SCALAR);
@@ -1377,8 +1376,11 @@ static int ms_gpr__factor(const ms_gpr__kernels *f, const double *kernel, size_t
                           double noise, double *upper)
 {
     int padded = ms_gpr__padded(n), i;
-    memcpy(upper, kernel, (size_t)padded * stride * sizeof *upper);
-    for (i = 0; i < padded; ++i) upper[(size_t)i * (stride + 1)] = sf2 + noise;
+    for (i = 0; i < padded; ++i) {
+        const size_t at = (size_t)i * (stride + 1);
+        memcpy(upper + at, kernel + at, (size_t)(padded - i) * sizeof *upper);
+        upper[at] = sf2 + noise;
+    }
     return ms_gpr__cholesky(f, upper, stride, padded, n * 2.220446049250313e-16 * (sf2 + noise));
 }
 
@@ -1741,7 +1743,6 @@ struct ms_gpr {
 static double ms_gpr__sf2(const ms_gpr *gp) { return exp(2 * gp->view.theta[gp->m]); }
 static double ms_gpr__sn2(const ms_gpr *gp) { return exp(2 * gp->view.theta[gp->m + 1]); }
 
-/* What a score is modeled as. */
 static double ms_gpr__modeled(double y, double floor, double floor_value)
 {
     return floor_value < floor && y <= floor ? floor_value : y;
@@ -1878,7 +1879,6 @@ static ms_status ms_gpr__check_rows(const double *x, int rows, int columns, doub
     return MS_OK;
 }
 
-/* Choices of 2 to n different rows each. */
 static ms_status ms_gpr__check_choices(const ms_gpr_choices *choices, int n, ms_error *error)
 {
     const int *row = choices->rows;
@@ -2036,14 +2036,12 @@ MS_API ms_gpr_view ms_gpr_view_of(const ms_gpr *gp)
 
 MS_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance)
 {
-    int i, k;
-    for (k = 0; gp && relevance && k < gp->m; ++k) {
-        double sum = 0;
-        for (i = 0; i < gp->n; ++i) {
-            double d = (gp->view.x[(size_t)i * (size_t)gp->m + (size_t)k] - gp->center[k]) * gp->scale[k];
-            sum += d * d;
-        }
-        relevance[k] = gp->n > 1 && gp->view.theta[k] < MS_GPR__DROPPED ? 2 * sum / (gp->n - 1) : 0;
+    int k;
+    if (gp == NULL || relevance == NULL) return;
+    memset(relevance, 0, (size_t)gp->m * sizeof *relevance);
+    for (k = 0; k < gp->active && gp->n > 1; ++k) {
+        const double *row = gp->points + (size_t)k * gp->stride;
+        relevance[gp->dimension[k]] = 2 * gp->kernels->dot(row, row, ms_gpr__padded(gp->n)) / (gp->n - 1);
     }
 }
 
@@ -2272,7 +2270,6 @@ static double ms_gpr__fit_penalty(const ms_gpr__fit *fit, const double *q, doubl
     return sum;
 }
 
-/* Minus the log posterior and its gradient. */
 static int ms_gpr__fit_objective(void *context, const double *q, double *value, double *gradient)
 {
     ms_gpr__fit *fit = (ms_gpr__fit *)context;
@@ -2394,7 +2391,6 @@ static void ms_gpr__fit_rows(ms_gpr__fit *fit)
     }
 }
 
-/* Priors, bounds, and where the searches start. */
 static void ms_gpr__fit_starts(ms_gpr__fit *fit)
 {
     static const double lengths[MS_GPR__STARTS] = {0.25, 0.5, 3}; /* widths, times sqrt(m) */
@@ -2485,7 +2481,6 @@ static ms_status ms_gpr__fit_begin(ms_gpr__fit *fit, ms_gpr__memory *memory, ms_
     return ms_gpr__taken(memory, "a fit", error);
 }
 
-/* Rows, starts, search; then theta from what was found. */
 static ms_status ms_gpr__fit_run(ms_gpr__fit *fit, ms_error *error)
 {
     ms_gpr__minimum found;
@@ -2829,7 +2824,6 @@ static const int MS_GPR__REFUSED = 20000; /* candidates in a row that were known
    true scores of 57 persons were at least what was predicted; from here on they fell short, by half at 0.16. */
 static const double MS_GPR__DOUBT = 0.1;
 
-/* A chain of slice sampling. */
 typedef struct ms_gpr__chain {
     double *point;    /* [m] in the unit box; with a snap, anywhere in it */
     double *material; /* [m] the allowed material there, of which the mean is taken */
@@ -3136,7 +3130,6 @@ static ms_status ms_gpr__check_recommend(ms_gpr_recommend_options *o, int m, ms_
     return ms_gpr__check_rows(o->avoid, o->avoid_count, m, MS_GPR__LARGEST, "material to avoid", error);
 }
 
-/* The search that was asked for, or the best one. */
 static ms_status ms_gpr__sampler_run(ms_gpr__sampler *h, ms_error *error)
 {
     const char *reason = "";
@@ -3203,7 +3196,6 @@ typedef struct ms_gpr__pool {
     char *taken;      /* [size] 1: chosen, or equal to one that was */
 } ms_gpr__pool;
 
-/* Task: a chunk of candidates against the training set. */
 static void ms_gpr__pool_chunk(void *context, int chunk)
 {
     ms_gpr__pool *p = (ms_gpr__pool *)context;
@@ -3393,7 +3385,6 @@ static int ms_gpr__latent_likelihood(ms_gpr__embedding *e, double sf2, double no
     return 1;
 }
 
-/* Minus the log posterior a datum. */
 static int ms_gpr__latent_objective(void *context, const double *q, double *value, double *gradient)
 {
     ms_gpr__embedding *e = (ms_gpr__embedding *)context;
@@ -3515,7 +3506,6 @@ static ms_status ms_gpr__embedding_make(ms_gpr__embedding *e, const ms_gpr_laten
     return ms_gpr__taken(memory, "an embedding", error);
 }
 
-/* A plane with its centered materials, and no latents yet. */
 static ms_status ms_gpr__latent_make(const double *x, int z, int m, const ms_gpr_latent_options *o, ms_gpr_latent **out,
                                      ms_error *error)
 {
