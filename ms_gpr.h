@@ -45,7 +45,7 @@
    1. ms_gpr_gallery     materials to be scored, in batches; a fit of nothing gives the first
    2. ms_gpr_fit         learns from scores, from choices such as "the best 2 of 9", or from both
       ms_gpr_update      other data for a model, under the same hyperparameters
-   3. ms_gpr_predict, ms_gpr_preference, ms_gpr_relevance     what was learned
+   3. ms_gpr_predict, ms_gpr_leave_one_out, ms_gpr_preference, ms_gpr_relevance     what was learned
       ms_gpr_view_of     all that a model consists of; ms_gpr_create makes a model of it again
    4. ms_gpr_recommend   new materials
    5. ms_gpr_latent_fit, ms_gpr_latent_map   a plane of variants. examples/tools/maps.h colors it
@@ -279,21 +279,10 @@ typedef struct ms_gpr_fit_options {
     ms_progress progress; /* asked before every evaluation */
 } ms_gpr_fit_options;
 
-/* A score that looks like a slip, because all others contradict it. */
-typedef struct ms_gpr_outlier {
-    int row; /* -1: none */
-    double value;
-    double expected;  /* predicted from the other answers */
-    double deviation; /* value - expected, in standard deviations of that prediction */
-} ms_gpr_outlier;
-
 typedef struct ms_gpr_fit_report {
     double likelihood; /* log p(y | X, theta) of the scores as they were modeled, and of the choices */
     double objective;  /* the same plus the log prior, of which the maximum counts as 0 */
     int evaluations;   /* of the likelihood, all starts */
-    double explained;  /* share of the variance of the scores that the other scores predict (leave-one-out). 0 or less:
-                          the scores predict each other no better than their mean. 0 below 8 scores */
-    ms_gpr_outlier outlier; /* ask the user about it: one wrong score can spoil all recommendations */
 } ms_gpr_fit_report;
 
 /* Learns theta by maximizing its posterior, and makes the model with it. The prior mean is the mean of the scores as
@@ -316,6 +305,12 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
    Rasmussen & Williams 2006, algorithm 2.1; thesis (3.4), (3.5). */
 MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, double *mean, double *variance,
                                 ms_error *error);
+
+/* What the other answers of the model say about each score, under the same hyperparameters: mean [n] and variance [n]
+   of its prediction, out; the variance is that of a score. At the floor a score is modeled as floor_value. Rows without
+   a score get numbers that mean nothing. examples/tools/warnings.h names slips by it. n^3 / 3 multiply-adds.
+   MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Rasmussen & Williams 2006, (5.10) to (5.12). */
+MS_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *variance, ms_error *error);
 
 /* The probability that a [m] is chosen rather than b [m]; a, b, probability [count] out: `count` such pairs. The
    variance of f(a) - f(b) is that of both together. MS_BAD_DATA, MS_OUT_OF_MEMORY as ms_gpr_predict. MacKay 1992. */
@@ -2045,25 +2040,6 @@ MS_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance)
     }
 }
 
-/* What the other n - 1 points say about each score: residual [n] = score - mean, variance [n] with noise. inverse:
-   [padded n][stride] scratch. Rasmussen & Williams 2006, (5.10) to (5.12). Under Laplace's approximation scores stand
-   for its pseudo-targets. */
-static void ms_gpr__leave_one_out(const ms_gpr *gp, double *inverse, double *residual, double *variance)
-{
-    int padded = ms_gpr__padded(gp->n), i, j;
-    memset(inverse, 0, (size_t)padded * gp->stride * sizeof *inverse);
-    for (j = 0; j < gp->n; ++j) variance[j] = 0;
-    ms_gpr__invert(gp->kernels, gp->upper, gp->stride, padded, inverse);
-    for (i = 0; i < gp->n; ++i) { /* the diagonal of K'^-1 = Y'Y */
-        const double *row = inverse + (size_t)i * gp->stride;
-        for (j = 0; j <= i; ++j) variance[j] += row[j] * row[j];
-    }
-    for (i = 0; i < gp->n; ++i) {
-        variance[i] = 1 / variance[i];
-        residual[i] = gp->alpha[i] * variance[i];
-    }
-}
-
 /* --- prediction --- */
 
 /* Means, and where variance is not NULL variances, of CHUNK candidates: scaled [active] rows, in length scales.
@@ -2157,6 +2133,29 @@ MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, do
     return status;
 }
 
+MS_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *variance, ms_error *error)
+{
+    ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
+    double *inverse;
+    ms_status status;
+    int padded, i, j;
+    if (gp == NULL || mean == NULL || variance == NULL)
+        return ms_gpr__null(gp == NULL ? "gp" : mean == NULL ? "mean" : "variance", error);
+    memory.allocator = gp->o.allocator;
+    padded = ms_gpr__padded(gp->n);
+    inverse = ms_gpr__take(&memory, (size_t)padded, gp->stride);
+    status = ms_gpr__taken(&memory, "predictions of scores", error);
+    if (status == MS_OK) ms_gpr__invert(gp->kernels, gp->upper, gp->stride, padded, inverse);
+    for (i = 0; i < gp->n && status == MS_OK; ++i) {
+        double diagonal = 0; /* of K'^-1 = Y'Y, which is 1 / variance */
+        for (j = i; j < gp->n; ++j) diagonal += pow(inverse[(size_t)j * gp->stride + (size_t)i], 2);
+        variance[i] = 1 / diagonal;
+        mean[i] = gp->view.mean + ms_gpr__target(gp, i) - gp->alpha[i] / diagonal;
+    }
+    ms_gpr__release(&memory);
+    return status;
+}
+
 MS_API ms_status ms_gpr_preference(const ms_gpr *gp, const double *a, const double *b, int count, double *probability,
                                    ms_error *error)
 {
@@ -2228,13 +2227,9 @@ static const double MS_GPR__FLOOR_OFFSET = 0.75; /* standard deviations that sco
 
 enum {
     MS_GPR__STARTS = 3,
-    MS_GPR__TRIAL = 30,       /* evaluations of each start before all but the best stop */
-    MS_GPR__PART = 100,       /* scores at least that the starts run on, and 4 m; a third of all, at most 400 */
-    MS_GPR__OUTLIER_ROWS = 8, /* scores at least before one of them is an outlier */
-    MS_GPR__OUTLIER_GROUP = 3 /* slips at most that may hide each other */
+    MS_GPR__TRIAL = 30, /* evaluations of each start before all but the best stop */
+    MS_GPR__PART = 100  /* scores at least that the starts run on, and 4 m; a third of all, at most 400 */
 };
-static const double MS_GPR__OUTLIER_RANGES = 3.0;
-static const double MS_GPR__OUTLIER_DEVIATIONS = 5.0;
 
 /* The search over q = log l_k / width_k, log sf / unit, log sn / unit; unit: the standard deviation of the scores. */
 typedef struct ms_gpr__fit {
@@ -2506,64 +2501,6 @@ static ms_status ms_gpr__fit_run(ms_gpr__fit *fit, ms_error *error)
     return MS_OK;
 }
 
-/* --- what the answers say about each other --- */
-
-/* Whether up to MS_GPR__OUTLIER_GROUP scores lie far outside the range of all others, above (sign 1) or below it (-1).
- */
-static int ms_gpr__fit_outside(const ms_gpr__ranked *sorted, int count, double sign)
-{
-    int group;
-    for (group = 1; group <= MS_GPR__OUTLIER_GROUP && group < count - 1; ++group) {
-        double edge = sign * sorted[sign > 0 ? group : count - 1 - group].value;
-        double extreme = sign * sorted[sign > 0 ? group - 1 : count - group].value;
-        double other = sign * sorted[sign > 0 ? count - 1 : 0].value;
-        if (extreme - edge > MS_GPR__OUTLIER_RANGES * (edge - other)) return 1;
-    }
-    return 0;
-}
-
-/* Leaving out one score at a time: the share of their variance that the others predict, and the score that they
-   contradict most. It is an outlier if a few that are contradicted so much stand apart from the rest, or if it is far
-   outside the range of the others. */
-static void ms_gpr__fit_criticize(ms_gpr__fit *fit, const ms_gpr *gp)
-{
-    ms_gpr_outlier *o = &fit->report.outlier;
-    double *residual = fit->problem.target, *variance = fit->problem.weight, unexplained = 0;
-    double least, largest, factor, z[MS_GPR__OUTLIER_GROUP + 2];
-    int scored = ms_gpr__score_range(gp->view.y, gp->n, &least, &largest), count = 0, above = 0, apart = 0, row, i;
-    if (scored < MS_GPR__OUTLIER_ROWS || !(largest > least)) return;
-    ms_gpr__leave_one_out(gp, fit->problem.inverse, residual, variance);
-    for (i = 0; i < gp->n; ++i) {
-        if (!ms_gpr__scored(gp->view.y[i])) continue;
-        unexplained += residual[i] * residual[i];
-        above += gp->view.y[i] > least;
-        fit->order[count].index = i;
-        fit->order[count++].value = fabs(residual[i]) / sqrt(variance[i]);
-    }
-    factor = scored / (scored - 1.0); /* the mean of the others is as far off as that */
-    fit->report.explained = 1 - unexplained / (factor * factor * scored * fit->unit * fit->unit);
-
-    /* the most contradicted, and whether a group of them stands apart */
-    ms_gpr__ranked_sort(fit->order, count);
-    row = fit->order[0].index;
-    for (i = 0; i < MS_GPR__OUTLIER_GROUP + 2 && i < count; ++i) z[i] = fit->order[i].value;
-    for (i = 0; i < MS_GPR__OUTLIER_GROUP && i + 1 < count; ++i)
-        apart |= z[i] > MS_GPR__OUTLIER_DEVIATIONS && z[i] > 2 * z[i + 1] && above > 4 + i;
-
-    /* scores far outside the range of the others */
-    for (i = 0; i < count; ++i) fit->order[i].value = gp->view.y[fit->order[i].index];
-    ms_gpr__ranked_sort(fit->order, count);
-    if (above > 2 && ms_gpr__fit_outside(fit->order, count, 1)) apart = 1, row = fit->order[0].index;
-    else if (ms_gpr__fit_outside(fit->order, count, -1)) apart = 1, row = fit->order[count - 1].index;
-    if (!apart) return;
-    least = fit->order[count - 1].index == row ? fit->order[count - 2].value : fit->order[count - 1].value;
-    largest = fit->order[0].index == row ? fit->order[1].value : fit->order[0].value;
-    o->row = row;
-    o->value = gp->view.y[row];
-    o->expected = fmin(fmax(gp->view.mean + ms_gpr__target(gp, row) - residual[row], least), largest);
-    o->deviation = (o->value - o->expected) / sqrt(variance[row]);
-}
-
 MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options,
                             ms_gpr **out, ms_gpr_fit_report *report, ms_error *error)
 {
@@ -2575,7 +2512,6 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
     *out = NULL;
     memset(&fit, 0, sizeof fit);
     if (options) fit.o = *options;
-    fit.report.outlier.row = -1;
     fit.data.n = n;
     fit.data.m = m;
     fit.data.x = x;
@@ -2589,7 +2525,6 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
     if (status == MS_OK) status = ms_gpr__fit_run(&fit, error);
     if (status == MS_OK) status = ms_gpr__make(&fit.data, &o, NULL, out, error);
     if (status == MS_OK && report) {
-        ms_gpr__fit_criticize(&fit, *out);
         *report = fit.report;
         report->likelihood = (*out)->likelihood;
         report->objective += report->likelihood;

@@ -123,14 +123,14 @@ TEST_INSIDE void inside_exponentials(ms_simd level, double *c, int count)
 /* What the other scores say about each, and the sum of log N(y_i; mean_i, variance_i); mean, variance: [n] or NULL. */
 TEST_INSIDE double inside_leave_one_out(const ms_gpr *gp, double *mean, double *variance)
 {
-    const size_t n = (size_t)gp->n + 8;
-    double *memory = (double *)malloc((n * gp->stride + 2 * n) * sizeof *memory), *residual = memory + n * gp->stride,
-           *own = residual + n, density = 0;
+    const size_t n = (size_t)gp->n + 1;
+    double *memory = (double *)malloc(2 * n * sizeof *memory), *other = memory, *own = memory + n, density = 0;
     int i;
-    ms_gpr__leave_one_out(gp, memory, residual, own);
+    ms_gpr_leave_one_out(gp, other, own, NULL);
     for (i = 0; i < gp->n; ++i) {
-        density -= 0.5 * (log(2 * 3.14159265358979323846 * own[i]) + residual[i] * residual[i] / own[i]);
-        if (mean) mean[i] = gp->view.y[i] - residual[i];
+        const double residual = gp->view.y[i] - other[i];
+        density -= 0.5 * (log(2 * 3.14159265358979323846 * own[i]) + residual * residual / own[i]);
+        if (mean) mean[i] = other[i];
         if (variance) variance[i] = own[i];
     }
     free(memory);

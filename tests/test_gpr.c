@@ -6,6 +6,7 @@
 #include "users.h"
 #include "bench/thesis.h"
 #include "gpr_inside.h"
+#include "warnings.h"
 
 #define PI 3.14159265358979323846
 
@@ -724,7 +725,6 @@ static void test_small(void)
             CHECK(ms_gpr_predict(gp, xs, 1, &mean, &variance, NULL) == MS_OK);
             CHECK(mean >= (n ? 2.9 : 0) && mean <= (n ? 5.1 : 0)); /* between the score there and the mean score */
             CHECK(variance >= 0 && variance < 1e9);
-            CHECK_INT(r.outlier.row, -1);
             CHECK(inside_append(gp, xs, 5, NULL) == MS_OK);
             CHECK_INT(ms_gpr_view_of(gp).n, n + 1);
             ms_gpr_destroy(gp);
@@ -901,6 +901,9 @@ static void test_null(void)
     REFUSES(ms_gpr_create(NULL, NULL, &other, &error), "parts");
     REFUSES(inside_set_theta(gp, NULL, &error), "theta");
     REFUSES(ms_gpr_preference(gp, NULL, x, 1, out, &error), "x");
+    REFUSES(ms_gpr_leave_one_out(NULL, out, out, &error), "gp");
+    REFUSES(ms_gpr_leave_one_out(gp, NULL, out, &error), "mean");
+    REFUSES(ms_gpr_leave_one_out(gp, out, NULL, &error), "variance");
     REFUSES(ms_gpr_preference(gp, x, NULL, 1, out, &error), "x");
     REFUSES(ms_gpr_preference(gp, x, x, 1, NULL, &error), "probability");
     REFUSES(inside_likelihood(NULL, out, NULL, &error), "gp");
@@ -922,7 +925,7 @@ static void test_null(void)
 static void test_allocations(void)
 {
     enum { N = 12, M = 2 };
-    double x[N * M], y[N], mean[3];
+    double x[N * M], y[N], mean[3], other[2 * N + 2];
     uint64_t state = 3;
     smooth_data(x, y, N, M, 0.1, &state);
     TEST_ALLOCATION_SWEEP(200, {
@@ -935,6 +938,7 @@ static void test_allocations(void)
         if (status == MS_OK) status = inside_append(gp, x, 1, NULL);
         if (status == MS_OK) status = ms_gpr_predict(gp, x, 3, mean, mean, NULL);
         if (status == MS_OK) status = ms_gpr_preference(gp, x, x + 2, 3, mean, NULL);
+        if (status == MS_OK) status = ms_gpr_leave_one_out(gp, other, other + N + 1, NULL);
         if (status == MS_OK) status = inside_likelihood(gp, mean, NULL, NULL);
         if (status == MS_OK) status = inside_set_theta(gp, ms_gpr_view_of(gp).theta, NULL);
         ms_gpr_destroy(gp);
@@ -1186,7 +1190,9 @@ static void test_outliers(void)
             for (i = 0; i < users; ++i) {
                 uint64_t state = 977 + (uint64_t)(i + 100 * kind) + 1000 * test_seed;
                 user u = user_of_kind(kind, (uint64_t)i + 50 + 100 * test_seed, M);
-                ms_gpr_fit_report r;
+                warnings_outlier r;
+                double explained;
+                ms_gpr *gp;
                 user_gallery(&u, N, x, y, &state);
                 at = (int)((double)N * test_uniform(&state));
                 for (k = 0; k < slip && slip < 4; ++k) y[(at + 7 * k) % N] = 100;
@@ -1195,13 +1201,14 @@ static void test_outliers(void)
                     if (y[k] > y[at]) at = k;
                 }
                 if (slip == 4) y[at] = 0;
-                ms_gpr_destroy(fit(x, y, N, M, NULL, &r));
-                named[slip] += r.outlier.row >= 0;
-                if (slip == 4) right[slip] += r.outlier.row == at;
-                else right[slip] += r.outlier.row >= 0 && y[r.outlier.row] > 99;
-                if (slip > 0 && slip < 4 && right[slip] && r.outlier.row >= 0 && y[r.outlier.row] > 99)
-                    CHECK(r.outlier.value > 99 && r.outlier.expected >= 0 && r.outlier.expected <= 100 &&
-                          r.outlier.deviation > 0);
+                gp = fit(x, y, N, M, NULL, NULL);
+                r = warnings_judge(gp, &explained);
+                ms_gpr_destroy(gp);
+                named[slip] += r.row >= 0;
+                if (slip == 4) right[slip] += r.row == at;
+                else right[slip] += r.row >= 0 && y[r.row] > 99;
+                if (slip > 0 && slip < 4 && right[slip] && r.row >= 0 && y[r.row] > 99)
+                    CHECK(r.value > 99 && r.expected >= 0 && r.expected <= 100 && r.deviation > 0);
             }
     users *= USER_KINDS - 1;
     CHECK_LE(named[0], users / 10); /* 1 of 66 of other users */
@@ -1225,7 +1232,8 @@ static void test_expected(void)
     for (seed = 0; seed < 40; ++seed) {
         uint64_t state = (uint64_t)seed + 100 + 1000 * test_seed;
         double nearest = 1e9, mean, variance, noise;
-        ms_gpr_fit_report r;
+        warnings_outlier r;
+        double explained;
         ms_gpr *gp;
         int at = 0;
         for (i = 0; i < N; ++i) {
@@ -1237,14 +1245,15 @@ static void test_expected(void)
             if (off < nearest) nearest = off, at = i;
         }
         y[at] = 0;
-        gp = fit(x, y, N, M, NULL, &r);
-        if (r.outlier.row == at) {
+        gp = fit(x, y, N, M, NULL, NULL);
+        r = warnings_judge(gp, &explained);
+        if (r.row == at) {
             ++found;
             CHECK_INT(inside_drop(gp, at, NULL), MS_OK);
             ms_gpr_predict(gp, x + 2 * at, 1, &mean, &variance, NULL);
             noise = exp(2 * ms_gpr_view_of(gp).theta[M + 1]);
-            CHECK_NEAR(r.outlier.expected, fmin(mean, 10), 1e-6); /* the leave-one-out formula against doing it */
-            CHECK_NEAR(r.outlier.deviation, (0 - r.outlier.expected) / sqrt(variance + noise), 1e-6);
+            CHECK_NEAR(r.expected, fmin(mean, 10), 1e-6); /* the leave-one-out formula against doing it */
+            CHECK_NEAR(r.deviation, (0 - r.expected) / sqrt(variance + noise), 1e-6);
         }
         ms_gpr_destroy(gp);
     }
@@ -1258,19 +1267,24 @@ static void test_explained(void)
     enum { N = 80, M = 5 };
     double x[N * M], y[N], most = -9;
     uint64_t state = test_seed;
-    ms_gpr_fit_report r;
+    double explained;
+    ms_gpr *gp;
     int i, c;
     for (c = 0; c < 20; ++c) {
         for (i = 0; i < N * M; ++i) x[i] = test_uniform(&state);
         for (i = 0; i < N; ++i) y[i] = floor(11 * test_uniform(&state));
-        ms_gpr_destroy(fit(x, y, N, M, NULL, &r));
-        most = fmax(most, r.explained);
+        gp = fit(x, y, N, M, NULL, NULL);
+        warnings_judge(gp, &explained);
+        ms_gpr_destroy(gp);
+        most = fmax(most, explained);
     }
     CHECK_LE(most, 0.45); /* the largest of 20: four times its deviation under no relation, some 1 / sqrt(N) = 0.11 */
     smooth_data(x, y, N, M, 0.1, &state);
-    ms_gpr_destroy(fit(x, y, N, M, NULL, &r));
-    CHECK(r.explained > 0.8);
-    TEST_NOTE("of random scores %.2f at most, of a smooth taste %.2f", most, r.explained);
+    gp = fit(x, y, N, M, NULL, NULL);
+    warnings_judge(gp, &explained);
+    ms_gpr_destroy(gp);
+    CHECK(explained > 0.8);
+    TEST_NOTE("of random scores %.2f at most, of a smooth taste %.2f", most, explained);
 }
 
 /* A model is what its view shows: rebuilt from it, on any kind of answers, it predicts the same to the bit. */
