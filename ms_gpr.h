@@ -45,7 +45,7 @@
    1. ms_gpr_gallery     materials to be scored, in batches; a fit of nothing gives the first
    2. ms_gpr_fit         learns from scores, from choices such as "the best 2 of 9", or from both
       ms_gpr_update      other data for a model, under the same hyperparameters
-   3. ms_gpr_predict, ms_gpr_leave_one_out, ms_gpr_preference, ms_gpr_relevance     what was learned
+   3. ms_gpr_predict, ms_gpr_leave_one_out, ms_gpr_preference     what was learned
       ms_gpr_view_of     all that a model consists of; ms_gpr_create makes a model of it again
    4. ms_gpr_recommend   new materials
    5. ms_gpr_latent_fit, ms_gpr_latent_map   a plane of variants. examples/tools/maps.h colors it
@@ -255,10 +255,6 @@ MS_API ms_status ms_gpr_create(const ms_gpr_view *parts, const ms_gpr_options *o
 MS_API ms_status ms_gpr_update(ms_gpr *gp, const ms_gpr_view *parts, ms_error *error);
 
 MS_API void ms_gpr_destroy(ms_gpr *gp);
-
-/* How much each parameter matters, [m] out: the mean of ((a_k - b_k) / l_k)^2 over pairs of the model's materials; 0
-   for one that is left out. */
-MS_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance);
 
 /* ---- fit ------------------------------------------------------------------------------------------------------- */
 
@@ -2027,17 +2023,6 @@ MS_API ms_gpr_view ms_gpr_view_of(const ms_gpr *gp)
     view.floor = ms_gpr__floor_of(gp);
     if (!(gp->view.floor_value < gp->view.floor)) view.floor_value = view.floor;
     return view;
-}
-
-MS_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance)
-{
-    int k;
-    if (gp == NULL || relevance == NULL) return;
-    memset(relevance, 0, (size_t)gp->m * sizeof *relevance);
-    for (k = 0; k < gp->active && gp->n > 1; ++k) {
-        const double *row = gp->points + (size_t)k * gp->stride;
-        relevance[gp->dimension[k]] = 2 * gp->kernels->dot(row, row, ms_gpr__padded(gp->n)) / (gp->n - 1);
-    }
 }
 
 /* --- prediction --- */

@@ -5,6 +5,7 @@
 #define TEST_GPR_INSIDE_H
 #include "ms_gpr.h"
 #include "test.h"
+#include "explain.h"
 #ifdef TEST_INSIDE /* an object of the header and these functions */
 #define TEST_INSIDE_BODY
 #elif MS_GPR_IMPLEMENTED + 0 /* 1 by the build, which links such an object; the header defines it as nothing */
@@ -186,7 +187,7 @@ TEST_INSIDE ms_status inside_simplify(ms_gpr *gp, double tolerance, int *kept)
 {
     double relevance[64], theta[66], dropped = 0;
     memcpy(theta, gp->view.theta, ((size_t)gp->m + 2) * sizeof *theta);
-    ms_gpr_relevance(gp, relevance);
+    explain_relevance(gp, relevance);
     for (;;) {
         int least = -1, k;
         for (k = 0; k < gp->m; ++k)
