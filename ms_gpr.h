@@ -651,7 +651,7 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
      descent     projected L-BFGS
      posterior   likelihood and gradient: exact for scores, Laplace's approximation for choices
      model       data, theta, factor; prediction
-     learn       priors, starts, the fit, the outlier
+     learn       priors, starts, the fit
      search      box, candidates, ascents, chains, variants; recommendations and galleries
      plane       latent space */
 
@@ -2644,7 +2644,7 @@ typedef struct ms_gpr__source {
     int liked;       /* rows above the floor */
     double *parents; /* [n] how likely each row is to be a parent, see ms_gpr__source_breed */
     double parents_sum;
-    double *point, *scaled, *near; /* scratch: [m], [m], [stride] */
+    double *point, *scaled, *covariance; /* scratch: [m], [m], [stride] */
 } ms_gpr__source;
 
 /* Its arrays, in memory that is to be released whatever is returned. */
@@ -2660,7 +2660,7 @@ static ms_status ms_gpr__source_make(ms_gpr__source *s, const ms_gpr *gp, const 
     }
     s->parents = ms_gpr__take(memory, gp->stride, 1);
     ms_gpr__take_each(memory, (size_t)gp->m, 2, &s->point, &s->scaled);
-    s->near = ms_gpr__take(memory, gp->stride, 1);
+    s->covariance = ms_gpr__take(memory, gp->stride, 1);
     return ms_gpr__box_make(gp->view.x, gp->n, gp->m, space, memory, &s->box, error);
 }
 
@@ -2674,8 +2674,8 @@ static void ms_gpr__source_breed(ms_gpr__source *s)
     for (i = 0; i < gp->n; ++i) {
         double crowd = 0;
         if (!(gp->value[i] > s->floor)) continue;
-        ms_gpr__covariances(gp, gp->view.x + (size_t)i * (size_t)gp->m, s->scaled, s->near);
-        for (j = 0; j < gp->n; ++j) crowd += gp->value[j] > s->floor ? s->near[j] : 0;
+        ms_gpr__covariances(gp, gp->view.x + (size_t)i * (size_t)gp->m, s->scaled, s->covariance);
+        for (j = 0; j < gp->n; ++j) crowd += gp->value[j] > s->floor ? s->covariance[j] : 0;
         s->parents[i] = (gp->value[i] - s->floor) / crowd;
         s->parents_sum += s->parents[i];
     }
@@ -2748,7 +2748,7 @@ typedef struct ms_gpr__chain {
     double *point;    /* [m] in the unit box; with a snap, anywhere in it */
     double *material; /* [m] the allowed material there, of which the mean is taken */
     double *scaled;   /* [m] it in length scales, by column in use */
-    double *near;     /* [stride] its squared distances from the training points, less `shift`; with a snap scratch */
+    double *d2;       /* [stride] its squared distances from the training points, less `shift`; with a snap scratch */
     double shift;
     double level; /* least mean of a place to move to */
     int climbs;   /* the level rises to the mean of every such place */
@@ -2817,7 +2817,7 @@ static void ms_gpr__chain_start(const ms_gpr__sampler *h, ms_gpr__chain *c, uint
         if (!(gp->view.theta[k] < MS_GPR__DROPPED)) c->point[k] = ms_gpr__uniform(&c->random);
     ms_gpr__box_material(&h->source.box, c->point, c->material);
     ms_gpr__scale(gp, c->material, c->scaled, 1);
-    gp->kernels->distances(c->near, gp->points, gp->stride, c->scaled, 1, gp->active, ms_gpr__padded(gp->n));
+    gp->kernels->distances(c->d2, gp->points, gp->stride, c->scaled, 1, gp->active, ms_gpr__padded(gp->n));
     c->shift = 0;
 }
 
@@ -2834,11 +2834,11 @@ static int ms_gpr__chain_try(const ms_gpr__sampler *h, ms_gpr__chain *c, int axi
     double mean = gp->view.mean;
     c->point[column] = to;
     if (box->snap == NULL) {
-        mean += ms_gpr__sf2(gp) * gp->kernels->line_mean(c->near, points, -2 * d, ahead, gp->alpha, n);
+        mean += ms_gpr__sf2(gp) * gp->kernels->line_mean(c->d2, points, -2 * d, ahead, gp->alpha, n);
     } else {
         ms_gpr__box_material(box, c->point, c->material);
-        ms_gpr__covariances(gp, c->material, c->scaled, c->near);
-        mean += gp->kernels->dot(c->near, gp->alpha, n);
+        ms_gpr__covariances(gp, c->material, c->scaled, c->d2);
+        mean += gp->kernels->dot(c->d2, gp->alpha, n);
     }
     if (!(mean >= c->level)) {
         c->point[column] = from;
@@ -2848,7 +2848,7 @@ static int ms_gpr__chain_try(const ms_gpr__sampler *h, ms_gpr__chain *c, int axi
     if (box->snap) return 1;
     c->scaled[use] += d;
     c->shift = ahead;
-    gp->kernels->axpy(c->near, -2 * d, points, n);
+    gp->kernels->axpy(c->d2, -2 * d, points, n);
     return 1;
 }
 
@@ -3025,7 +3025,7 @@ static ms_status ms_gpr__sampler_make(ms_gpr__sampler *h, ms_gpr__memory *memory
     for (i = 0; i < MS_GPR__TASKS; ++i) {
         ms_gpr__chain *c = &h->chain[i];
         ms_gpr__take_each(memory, m, 3, &c->point, &c->material, &c->scaled);
-        c->near = ms_gpr__take(memory, gp->stride, 1);
+        c->d2 = ms_gpr__take(memory, gp->stride, 1);
     }
     status = ms_gpr__taken(memory, "a search", error);
     for (k = 0; k < gp->m && status == MS_OK; ++k) {

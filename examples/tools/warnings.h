@@ -153,7 +153,7 @@ static inline double warnings_recent(const ms_gpr *gp)
             above += (score <= v.floor ? v.floor_value : score) - mean[i];
         }
     ms_gpr_destroy(earlier);
-    return above / (WARNINGS_RECENT * sqrt(sum2));
+    return above / ((int)WARNINGS_RECENT * sqrt(sum2));
 }
 
 /* 1 and the sentence into text [WARNINGS_TEXT], or 0: nothing to say. explained: of warnings_judge. */
