@@ -19,13 +19,11 @@
       {
           enum { N = 60, M = 5, COUNT = 4 };
           double x[N * M], score[N], found[COUNT * M], mean[COUNT], sigma[COUNT];
-          ms_gpr_view nothing = ms_gpr_view_of(NULL);
           ms_gpr *gp;
           ms_gpr_fit_report report;
           ms_error error;
           int i;
-          nothing.m = M;
-          if (ms_gpr_create(&nothing, NULL, &gp, &error) != MS_OK) return puts(error.message), 1;
+          if (ms_gpr_fit(NULL, NULL, 0, M, NULL, &gp, NULL, &error) != MS_OK) return puts(error.message), 1;
           if (ms_gpr_gallery(gp, NULL, N, x, &error) != MS_OK) return puts(error.message), 1;
           ms_gpr_destroy(gp);
           for (i = 0; i < N; ++i) {
@@ -44,24 +42,24 @@
 
    In the caller's order
    ---------------------
-   1. ms_gpr_gallery     materials to be scored, in batches of 5 to 25; a model of n = 0, theta NULL, gives the first
+   1. ms_gpr_gallery     materials to be scored, in batches; a fit of nothing gives the first
    2. ms_gpr_fit         learns from scores, from choices such as "the best 2 of 9", or from both
       ms_gpr_update      other data for a model, under the same hyperparameters
-   3. ms_gpr_predict, ms_gpr_preference, ms_gpr_relevance     what was learned
+   3. ms_gpr_predict, ms_gpr_leave_one_out, ms_gpr_preference     what was learned
       ms_gpr_view_of     all that a model consists of; ms_gpr_create makes a model of it again
    4. ms_gpr_recommend   new materials
    5. ms_gpr_latent_fit, ms_gpr_latent_map   a plane of variants. examples/tools/maps.h colors it
 
    What it costs
    -------------
-   n materials, m parameters. A likelihood with its gradient takes n^3 / 2 + n^2 m multiply-adds. A fit evaluates it 100
-   to 150 times. From 200 scores on nearly all of these use a third of the scores. A mean takes n m, its variance
-   n^2 / 2 more. A model has n^2 + 2 n m doubles; making it takes 3 n^2 more for a while, with choices 4 n^2. A fit has
-   7 n^2 at its peak, with choices 9 n^2. Figures: tests/bench/RESULTS.md, made by `make bench`.
+   n materials, m parameters. A likelihood with its gradient takes n^3 / 2 + n^2 m multiply-adds. From 200 scores on
+   most evaluations of a fit use a third of them. A mean takes n m, its variance n^2 / 2 more. A model has n^2 + 2 n m
+   doubles; making it takes 3 n^2 more for a while, with choices 4 n^2. A fit has 7 n^2 at its peak, with choices 9 n^2.
+   Figures: tests/bench/RESULTS.md, made by `make bench`.
 
    Threads, SIMD, determinism, errors
    ----------------------------------
-   No globals; 20 KB of stack. Const calls may overlap. ms_parallel shares out predictions, recommendations and
+   No globals; 32 KB of stack. Const calls may overlap. ms_parallel shares out predictions, recommendations and
    galleries. Kernels are scalar, or with GCC and Clang SSE2, NEON or AVX2, chosen under the cap options.simd. One level
    of one build gives the same bits for any thread count. Levels and builds differ by rounding, which may lead a fit
    along another path to the same optimum. -ffast-math by the user voids all promises. Outputs are untouched on failure,
@@ -71,7 +69,6 @@
    ------------------------------------------------
    MS_DEF           linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_GPR_FILENAME  this file's name, if it is not "ms_gpr.h"
-   MS_GPR_NO_PLANE  no latent space: a tenth of the object less
    MS_NO_SIMD       scalar text only
 
    Limits
@@ -238,7 +235,7 @@ typedef struct ms_gpr_view {
     double floor;       /* the least score that can be given */
     double floor_value; /* below the floor: what scores at the floor, or less, are modeled as. Else there is no floor */
     const double *value; /* [n] y, and predictions for materials without a score */
-    double jitter;       /* added to sn^2, in units of sf^2: 0 nearly always, to 1e-6 */
+    double jitter;       /* added to sn^2, in units of sf^2: 0, or what K' lacks, 1e-15 to 1e-6 */
     ms_simd level;       /* instruction set in use */
 } ms_gpr_view;
 
@@ -249,8 +246,8 @@ MS_API ms_gpr_view ms_gpr_view_of(const ms_gpr *gp);
    of sqrt(m), sf = 1, sn = 0.1. *out is NULL unless MS_OK. MS_BAD_DATA: a value that is not finite or beyond 1e30
    (position: its row, from 1). MS_INVALID_ARGUMENT: also a choice of a row twice, or outside the model (position: the
    choice, from 1). MS_NOT_CONVERGED: K' is not positive definite even with the largest jitter. MS_OUT_OF_MEMORY. n^3 /
-   6 multiply-adds. With choices, or materials without a score, some 2 n^3: Laplace's approximation, whose mean is
-   corrected to third order. */
+   6 multiply-adds. With choices, or materials without a score, more: Laplace's approximation, whose
+   mean is corrected to third order. */
 MS_API ms_status ms_gpr_create(const ms_gpr_view *parts, const ms_gpr_options *options, ms_gpr **out, ms_error *error);
 
 /* gp becomes a model of other parts, of the same m and with the same options. They may point into gp's own view. For a
@@ -258,10 +255,6 @@ MS_API ms_status ms_gpr_create(const ms_gpr_view *parts, const ms_gpr_options *o
 MS_API ms_status ms_gpr_update(ms_gpr *gp, const ms_gpr_view *parts, ms_error *error);
 
 MS_API void ms_gpr_destroy(ms_gpr *gp);
-
-/* How much each parameter matters, [m] out: the mean of ((a_k - b_k) / l_k)^2 over pairs of the model's materials; 0
-   for one that is left out. */
-MS_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance);
 
 /* ---- fit ------------------------------------------------------------------------------------------------------- */
 
@@ -282,23 +275,10 @@ typedef struct ms_gpr_fit_options {
     ms_progress progress; /* asked before every evaluation */
 } ms_gpr_fit_options;
 
-/* A score that looks like a slip, because all others contradict it. */
-typedef struct ms_gpr_outlier {
-    int row; /* -1: none */
-    double value;
-    double expected;  /* predicted from the other answers */
-    double deviation; /* value - expected, in standard deviations of that prediction */
-} ms_gpr_outlier;
-
 typedef struct ms_gpr_fit_report {
     double likelihood; /* log p(y | X, theta) of the scores as they were modeled, and of the choices */
     double objective;  /* the same plus the log prior, of which the maximum counts as 0 */
     int evaluations;   /* of the likelihood, all starts */
-    int start;         /* the start that won, from 0 */
-    int columns;       /* that differ from row to row; the others are left out */
-    double explained;  /* share of the variance of the scores that the other scores predict (leave-one-out). 0 or less:
-                          the scores predict each other no better than their mean. 0 below 8 scores */
-    ms_gpr_outlier outlier; /* ask the user about it: one wrong score of 100 can spoil all recommendations */
 } ms_gpr_fit_report;
 
 /* Learns theta by maximizing its posterior, and makes the model with it. The prior mean is the mean of the scores as
@@ -321,6 +301,12 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
    Rasmussen & Williams 2006, algorithm 2.1; thesis (3.4), (3.5). */
 MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, double *mean, double *variance,
                                 ms_error *error);
+
+/* What the other answers of the model say about each score, under the same hyperparameters: mean [n] and variance [n]
+   of its prediction, out; the variance is that of a score. At the floor a score is modeled as floor_value. Rows without
+   a score get numbers that mean nothing. examples/tools/warnings.h names slips by it. n^3 / 3 multiply-adds.
+   MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Rasmussen & Williams 2006, (5.10) to (5.12). */
+MS_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *variance, ms_error *error);
 
 /* The probability that a [m] is chosen rather than b [m]; a, b, probability [count] out: `count` such pairs. The
    variance of f(a) - f(b) is that of both together. MS_BAD_DATA, MS_OUT_OF_MEMORY as ms_gpr_predict. MacKay 1992. */
@@ -348,16 +334,14 @@ typedef enum ms_gpr_search {
 
 /* All zero: the defaults. */
 typedef struct ms_gpr_recommend_options {
-    double tau;  /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. floor: as in ms_gpr_view */
-    double best; /* the score that tau = 1 means. 0: the largest given. At most the largest mean in the box */
+    double tau; /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. floor: as in ms_gpr_view; best: the
+                   largest score that was given, but at most the largest mean in the box */
     ms_gpr_space space;
-    const double *avoid; /* [avoid_count][m] "not like these": nothing nearer than avoid_distance to any of them */
+    const double *avoid; /* [avoid_count][m] "not like these": nothing nearer to any of them than 0.15: root mean square
+                            over the dimensions, in widths of the box */
     int avoid_count;
-    double avoid_distance; /* root mean square over the dimensions, in widths of the box; uniform pairs are 0.4 apart.
-                              0: 0.15 */
-    uint64_t seed;         /* stands for a sequence: larger counts go on with it */
+    uint64_t seed; /* stands for a sequence: larger counts go on with it */
     ms_gpr_search search;
-    ms_progress progress; /* asked once every 64 recommendations */
 } ms_gpr_recommend_options;
 
 typedef struct ms_gpr_recommend_report {
@@ -367,7 +351,6 @@ typedef struct ms_gpr_recommend_report {
     double threshold;     /* in units of the score; of variants: the least of their means */
     double best;          /* largest mean that was found over the box */
     double acceptance;    /* share of 4096 uniform candidates whose mean reaches the threshold */
-    double candidates;    /* whose means were predicted, but for those along chains */
 } ms_gpr_recommend_report;
 
 /* Materials whose predicted score reaches a threshold. Where nothing is predicted to, or the predictions are uncertain
@@ -380,37 +363,29 @@ typedef struct ms_gpr_recommend_report {
    report    out, or NULL
    Separate regions that are liked get recommendations in proportion to their volume, as far as 4096 candidates tell it;
    where fewer than 16 of them hit any, from the answered materials and a climb. MS_NOT_CONVERGED: there are not so many
-   different materials, or all others are to be avoided; then, and with MS_CANCELLED, the first report->found rows are
-   valid.
+   different materials, or all others are to be avoided; then the first report->found rows are valid.
    MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Thesis 3.4.1; Neal 2003, slice sampling. */
 MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
                                   double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error);
-
-typedef enum ms_gpr_gallery_kind {
-    MS_GPR_GALLERY_ACTIVE = 0, /* spread evenly until something is liked; then those near the threshold of
-                                  recommendations (largest 1.96 sigma - |mean - threshold of tau = 0.6|). Choices do
-                                  not tell what is liked at all: after some, every second one is of the largest
-                                  P(score > floor) sigma */
-    MS_GPR_GALLERY_SPREAD = 1  /* uniform, each parameter evenly over its range (a Latin hypercube) */
-} ms_gpr_gallery_kind;
 
 /* All zero: the defaults. */
 typedef struct ms_gpr_gallery_options {
     ms_gpr_space space;
     uint64_t seed; /* the number of scores is part of it: every round gives another gallery */
-    ms_gpr_gallery_kind kind;
 } ms_gpr_gallery_options;
 
-/* Materials x [count][m], out, that the user is to score next; different ones, if there are so many. Half of the
-   candidates are uniform, half variants of what was liked: a material drawn in proportion to its score, half of them
-   crossed with a second one, some parameters drawn anew. Each choice takes those before it as scored. If fewer than
-   three of 60 scored materials are liked, ask for choices ("the best 2 of 9"): they find rare tastes sooner.
+/* Materials x [count][m], out, that the user is to score next; different ones, if there are so many. They are spread
+   until something is liked; then they are near the threshold of recommendations: largest 1.96 sigma - |mean - threshold
+   of tau = 0.6|. Choices do not tell what is liked at all: after some, every second material is of the largest
+   P(score > floor) sigma. Half of the candidates are uniform, half variants of what was liked: a material drawn in
+   proportion to its score, half of them crossed with a second one, some parameters drawn anew. Each choice takes those
+   before it as scored. If few that were scored are liked, ask for choices ("the best 2 of 9"): they find rare tastes
+   sooner.
    MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Thesis 3.7; Bryan and others 2005, "Active learning for identifying function
    threshold boundaries". */
 MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x,
                                 ms_error *error);
 
-#ifndef MS_GPR_NO_PLANE
 /* ---- plane ----------------------------------------------------------------------------------------------------- */
 
 /* A plane of variants: the Gaussian-process latent variable model of thesis 3.4.3 with two latent coordinates.
@@ -424,7 +399,6 @@ typedef struct ms_gpr_latent_options {
                            else as in recommendations, for the range of the embedded materials */
     ms_simd simd;
     ms_allocator allocator;
-    ms_progress progress; /* asked every evaluation */
 } ms_gpr_latent_options;
 
 typedef struct ms_gpr_latent_report {
@@ -437,7 +411,7 @@ typedef struct ms_gpr_latent_report {
    kernel variance: scale parameters to comparable ranges. Length scales are 1, the unit of the plane.
    z^3 / 2 + 2 z^2 m multiply-adds an evaluation. *out is NULL unless MS_OK.
    MS_BAD_DATA: a value that is not finite (position: its row, from 1), or all materials equal. MS_INVALID_ARGUMENT,
-   MS_OUT_OF_MEMORY, MS_CANCELLED. Lawrence 2004, "Gaussian process latent variable models"; thesis (3.8), (3.9). */
+   MS_OUT_OF_MEMORY. Lawrence 2004, "Gaussian process latent variable models"; thesis (3.8), (3.9). */
 MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_latent_options *options,
                                    ms_gpr_latent **out, ms_gpr_latent_report *report, ms_error *error);
 
@@ -456,7 +430,6 @@ MS_API ms_gpr_latent_view ms_gpr_latent_view_of(const ms_gpr_latent *plane);
    coordinate of x, without the noise; 0 <= variance <= sf^2. 1 - variance / sf^2 says how much the plane knows. */
 MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x,
                                    double *variance, ms_error *error);
-#endif /* MS_GPR_NO_PLANE */
 
 #ifdef __cplusplus
 }
@@ -678,7 +651,7 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
      descent     projected L-BFGS
      posterior   likelihood and gradient: exact for scores, Laplace's approximation for choices
      model       data, theta, factor; prediction
-     learn       priors, starts, the fit, the outlier
+     learn       priors, starts, the fit
      search      box, candidates, ascents, chains, variants; recommendations and galleries
      plane       latent space */
 
@@ -744,20 +717,9 @@ static double ms_gpr__pow2(double whole)
 #endif
 
 #if MS_GPR__VECTORS && defined(MS__X64)
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
-#elif defined(__GNUC__)
-#pragma GCC push_options
-#pragma GCC target("avx2,fma")
-#endif
 #define MS_GPR__PASS 3
 #include MS_GPR_FILENAME
 #undef MS_GPR__PASS
-#if defined(__clang__)
-#pragma clang attribute pop
-#elif defined(__GNUC__)
-#pragma GCC pop_options
-#endif
 #endif
 #define MS_GPR__KERNELS_END /* what follows the kernels is read in this inclusion alone */
 #endif
@@ -767,18 +729,22 @@ static double ms_gpr__pow2(double whole)
 
 #define MS_GPR__JOIN_(a, b) a##b
 #define MS_GPR__JOIN(a, b) MS_GPR__JOIN_(a, b)
-#if MS_GPR__PASS == 3
-#define MS_GPR__KERNEL(name) MS_GPR__JOIN(ms_gpr__##name, _avx2)
-#elif MS_GPR__PASS == 2
-#define MS_GPR__KERNEL(name) MS_GPR__JOIN(ms_gpr__##name, _base)
-#else
-#define MS_GPR__KERNEL(name) MS_GPR__JOIN(ms_gpr__##name, _scalar)
-#endif
+#define MS_GPR__KERNEL(name) MS_GPR__JOIN(ms_gpr__##name##_level, MS_GPR__PASS)
 #define MS_GPR__V MS_GPR__KERNEL(v)
 
-/* Vectors are the compiler's own (GCC, Clang), with the language's operators. MADD a b + c and NMADD c - a b are fused
-   where the level fuses. ROUND goes to the nearest whole number. POW2 is of a whole number in the normal range. KEEP is
+/* Vectors are the compiler's own (GCC, Clang), with the language's operators. MADD a b + c is fused where the level
+   fuses. ROUND goes to the nearest whole number. POW2 is of a whole number in the normal range. KEEP is
    v where x > limit, else 0. */
+#if MS_GPR__PASS == 3
+#define MS_GPR__STATIC static __attribute__((target("avx2,fma")))
+#define MS_GPR__MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
+#elif MS_GPR__PASS == 2 && defined(MS__NEON)
+#define MS_GPR__STATIC static
+#define MS_GPR__MADD(a, b, c) vfmaq_f64(c, a, b)
+#else
+#define MS_GPR__STATIC static
+#define MS_GPR__MADD(a, b, c) ((a) * (b) + (c))
+#endif
 #if MS_GPR__PASS == 1
 typedef double MS_GPR__V;
 #define MS_GPR__LANES 1
@@ -800,29 +766,19 @@ typedef int64_t MS_GPR__KERNEL(bits) __attribute__((vector_size(MS_GPR__BYTES)))
 #define MS_GPR__ROUND(a) ((a) + MS_GPR__SET(6755399441055744.0) - MS_GPR__SET(6755399441055744.0)) /* 3 * 2^51 */
 #define MS_GPR__POW2(a) ((MS_GPR__V)((MS_GPR__KERNEL(bits))((a) + MS_GPR__SET(6755399441055744.0 + 1023)) << 52))
 #define MS_GPR__KEEP(x, limit, v) ((MS_GPR__V)(((x) > (limit)) & (MS_GPR__KERNEL(bits))(v)))
-static inline MS_GPR__V MS_GPR__KERNEL(set)(double x)
+MS_GPR__STATIC inline MS_GPR__V MS_GPR__KERNEL(set)(double x)
 {
     const MS_GPR__V zero = {0};
     return x - zero; /* -0 stays -0 */
 }
 #endif
-#if MS_GPR__PASS == 3
-#define MS_GPR__MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
-#define MS_GPR__NMADD(a, b, c) _mm256_fnmadd_pd(a, b, c)
-#elif MS_GPR__PASS == 2 && defined(MS__NEON)
-#define MS_GPR__MADD(a, b, c) vfmaq_f64(c, a, b)
-#define MS_GPR__NMADD(a, b, c) vfmsq_f64(c, a, b)
-#else
-#define MS_GPR__MADD(a, b, c) ((a) * (b) + (c))
-#define MS_GPR__NMADD(a, b, c) ((c) - (a) * (b))
-#endif
 
 #define MS_GPR__WIDE (2 * MS_GPR__LANES) /* divides MS_GPR__BLOCK */
 
 /* exp(-d2 / 2) = 2^t, t = -d2 / (2 log 2) <= 0, as 2^round(t) times a polynomial in the rest f that interpolates (2^f -
-   1) / f at the Chebyshev points of [-1/2, 1/2]: error 2e-17 before rounding. Below 2^-500 it is 0: products of two
-   such terms would be subnormal and slow. */
-static inline MS_GPR__V MS_GPR__KERNEL(exponential)(MS_GPR__V d2)
+   1) / f at the Chebyshev points of [-1/2, 1/2]: its error is less than rounding's. Below 2^-500 it is 0: products of
+   two such terms would be subnormal and slow. */
+MS_GPR__STATIC inline MS_GPR__V MS_GPR__KERNEL(exponential)(MS_GPR__V d2)
 {
     MS_GPR__V t = d2 * MS_GPR__SET(-0.72134752044448170368), limit = MS_GPR__SET(-500.0);
     MS_GPR__V inside = MS_GPR__KEEP(t, limit, t);
@@ -842,7 +798,7 @@ static inline MS_GPR__V MS_GPR__KERNEL(exponential)(MS_GPR__V d2)
     return MS_GPR__KEEP(t, limit, p);
 }
 
-static inline double MS_GPR__KERNEL(sum)(MS_GPR__V v)
+MS_GPR__STATIC inline double MS_GPR__KERNEL(sum)(MS_GPR__V v)
 {
     double lane[MS_GPR__LANES], total = 0;
     int i;
@@ -851,8 +807,8 @@ static inline double MS_GPR__KERNEL(sum)(MS_GPR__V v)
     return total;
 }
 
-static double MS_GPR__KERNEL(line_mean)(const double *d2, const double *slope, double t, double constant,
-                                        const double *weight, int n)
+MS_GPR__STATIC double MS_GPR__KERNEL(line_mean)(const double *d2, const double *slope, double t, double constant,
+                                                const double *weight, int n)
 {
     MS_GPR__V ahead = MS_GPR__SET(t), rest = MS_GPR__SET(constant), sum = MS_GPR__SET(0.0);
     int i;
@@ -863,8 +819,8 @@ static double MS_GPR__KERNEL(line_mean)(const double *d2, const double *slope, d
     return MS_GPR__KERNEL(sum)(sum);
 }
 
-static void MS_GPR__KERNEL(distances)(double *d2, const double *points, size_t stride, const double *point,
-                                      size_t spacing, int m, int n)
+MS_GPR__STATIC void MS_GPR__KERNEL(distances)(double *d2, const double *points, size_t stride, const double *point,
+                                              size_t spacing, int m, int n)
 {
     int i, k;
     for (i = 0; i < n; i += MS_GPR__WIDE) {
@@ -881,11 +837,12 @@ static void MS_GPR__KERNEL(distances)(double *d2, const double *points, size_t s
     }
 }
 
-/* A tile of 4 rows and 2 vectors. Depth goes in slices, and two vectors of a slice of b are copied together, so that
+/* A tile of 4 rows and 2 vectors. Depth goes in slices, and two vectors of a slice of -b are copied together, so that
    they stay in the first cache and on few pages. */
 #define MS_GPR__SLICE 96
-static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b,
-                                   size_t b_stride, int rows, int columns, int depth, int parts)
+MS_GPR__STATIC void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, size_t a_stride,
+                                           const double *b, size_t b_stride, int rows, int columns, int depth,
+                                           int parts)
 {
     double strip[MS_GPR__SLICE * MS_GPR__WIDE];
     int from, i, j, k;
@@ -896,7 +853,9 @@ static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, 
             int first = (parts & MS_GPR__LOWER) && j > from ? j : from;
             if (first >= to) break;
             for (k = first; k < to; ++k)
-                memcpy(strip + (k - first) * MS_GPR__WIDE, b + (size_t)k * b_stride + j, MS_GPR__WIDE * sizeof *strip);
+                for (i = 0; i < MS_GPR__WIDE; i += MS_GPR__LANES)
+                    MS_GPR__STORE(strip + (k - first) * MS_GPR__WIDE + i,
+                                  -MS_GPR__LOAD(b + (size_t)k * b_stride + j + i));
             for (i = 0; i < wanted; i += 4) {
                 const double *ak = a + (size_t)first * a_stride + i, *bk = strip;
                 double *c0 = c + (size_t)i * c_stride + j, *c1 = c0 + c_stride, *c2 = c1 + c_stride,
@@ -907,10 +866,10 @@ static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, 
                 MS_GPR__V c30 = MS_GPR__LOAD(c3), c31 = MS_GPR__LOAD(c3 + MS_GPR__LANES);
                 for (k = first; k < to; ++k, ak += a_stride, bk += MS_GPR__WIDE) {
                     MS_GPR__V b0 = MS_GPR__LOAD(bk), b1 = MS_GPR__LOAD(bk + MS_GPR__LANES), x;
-                    x = MS_GPR__SET(ak[0]), c00 = MS_GPR__NMADD(x, b0, c00), c01 = MS_GPR__NMADD(x, b1, c01);
-                    x = MS_GPR__SET(ak[1]), c10 = MS_GPR__NMADD(x, b0, c10), c11 = MS_GPR__NMADD(x, b1, c11);
-                    x = MS_GPR__SET(ak[2]), c20 = MS_GPR__NMADD(x, b0, c20), c21 = MS_GPR__NMADD(x, b1, c21);
-                    x = MS_GPR__SET(ak[3]), c30 = MS_GPR__NMADD(x, b0, c30), c31 = MS_GPR__NMADD(x, b1, c31);
+                    x = MS_GPR__SET(ak[0]), c00 = MS_GPR__MADD(x, b0, c00), c01 = MS_GPR__MADD(x, b1, c01);
+                    x = MS_GPR__SET(ak[1]), c10 = MS_GPR__MADD(x, b0, c10), c11 = MS_GPR__MADD(x, b1, c11);
+                    x = MS_GPR__SET(ak[2]), c20 = MS_GPR__MADD(x, b0, c20), c21 = MS_GPR__MADD(x, b1, c21);
+                    x = MS_GPR__SET(ak[3]), c30 = MS_GPR__MADD(x, b0, c30), c31 = MS_GPR__MADD(x, b1, c31);
                 }
                 MS_GPR__STORE(c0, c00), MS_GPR__STORE(c0 + MS_GPR__LANES, c01);
                 MS_GPR__STORE(c1, c10), MS_GPR__STORE(c1 + MS_GPR__LANES, c11);
@@ -921,15 +880,15 @@ static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, 
     }
 }
 
-static void MS_GPR__KERNEL(exponentials)(double *c, int columns, double scale)
+MS_GPR__STATIC void MS_GPR__KERNEL(exponentials)(double *c, int columns, double scale)
 {
     int j;
     for (j = 0; j < columns; j += MS_GPR__LANES)
         MS_GPR__STORE(c + j, MS_GPR__SET(scale) * MS_GPR__KERNEL(exponential)(MS_GPR__LOAD(c + j)));
 }
 
-static void MS_GPR__KERNEL(slopes)(double *slope, const double *w, const double *points, size_t stride,
-                                   const double *point, int m, int columns)
+MS_GPR__STATIC void MS_GPR__KERNEL(slopes)(double *slope, const double *w, const double *points, size_t stride,
+                                           const double *point, int m, int columns)
 {
     int j, k;
     for (k = 0; k < m; ++k, points += stride, point += stride) {
@@ -944,14 +903,14 @@ static void MS_GPR__KERNEL(slopes)(double *slope, const double *w, const double 
     }
 }
 
-static void MS_GPR__KERNEL(axpy)(double *y, double a, const double *x, int columns)
+MS_GPR__STATIC void MS_GPR__KERNEL(axpy)(double *y, double a, const double *x, int columns)
 {
     int j;
     for (j = 0; j < columns; j += MS_GPR__LANES)
         MS_GPR__STORE(y + j, MS_GPR__MADD(MS_GPR__SET(a), MS_GPR__LOAD(x + j), MS_GPR__LOAD(y + j)));
 }
 
-static double MS_GPR__KERNEL(dot)(const double *x, const double *y, int columns)
+MS_GPR__STATIC double MS_GPR__KERNEL(dot)(const double *x, const double *y, int columns)
 {
     MS_GPR__V sum0 = MS_GPR__SET(0.0), sum1 = sum0;
     int j;
@@ -977,8 +936,8 @@ static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
 #undef MS_GPR__LOAD
 #undef MS_GPR__STORE
 #undef MS_GPR__SET
+#undef MS_GPR__STATIC
 #undef MS_GPR__MADD
-#undef MS_GPR__NMADD
 #undef MS_GPR__ROUND
 #undef MS_GPR__POW2
 #undef MS_GPR__KEEP
@@ -987,7 +946,6 @@ static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
 #if defined(MS_GPR__KERNELS_END) && !defined(MS_GPR__PASS)
 #undef MS_GPR__KERNELS_END
 
-/* The best level is AVX2. */
 static ms_simd ms_gpr__simd_pick(ms_simd cap)
 {
     ms_simd level = ms__simd_pick(MS_GPR__VECTORS ? cap : MS_SIMD_SCALAR);
@@ -997,13 +955,13 @@ static ms_simd ms_gpr__simd_pick(ms_simd cap)
 static const ms_gpr__kernels *ms_gpr__kernels_of(ms_simd level)
 {
 #if MS_GPR__VECTORS && defined(MS__X64)
-    if (level == MS_SIMD_AVX2) return &ms_gpr__table_avx2;
+    if (level == MS_SIMD_AVX2) return &ms_gpr__table_level3;
 #endif
 #if MS_GPR__VECTORS
-    if (level == MS_SIMD_BASE) return &ms_gpr__table_base;
+    if (level == MS_SIMD_BASE) return &ms_gpr__table_level2;
 #endif
     (void)level;
-    return &ms_gpr__table_scalar;
+    return &ms_gpr__table_level1;
 }
 #undef MS_GPR__VECTORS
 
@@ -1114,45 +1072,72 @@ static void ms_gpr__backward_vector(const ms_gpr__kernels *f, const double *u, s
     }
 }
 
-/* What stands in front of a block that starts on a cache line. */
-typedef struct ms_gpr__front {
+/* v = (u' u)^-1 v */
+static void ms_gpr__solve(const ms_gpr__kernels *f, const double *u, size_t stride, int n, double *v)
+{
+    ms_gpr__forward_vector(f, u, stride, n, v);
+    ms_gpr__backward_vector(f, u, stride, n, v);
+}
+
+/* --- memory --- */
+
+typedef struct ms_gpr__block {
+    struct ms_gpr__block *before;
     void *start;
     size_t size;
-} ms_gpr__front;
+} ms_gpr__block;
 
-/* The block for what `arena` counted, in which the same calls of ms__take then place it. 0: no memory. */
-static int ms_gpr__place(const ms_allocator *allocator, ms__arena *arena)
+/* Arrays that live as long as a call or an object. */
+typedef struct ms_gpr__memory {
+    ms_allocator allocator;
+    ms_gpr__block *last; /* each stands in front of its array */
+    int failed;          /* one had no room */
+} ms_gpr__memory;
+
+/* `count` zeros of `size` bytes, on a cache line; NULL where there is no room. */
+static void *ms_gpr__take_bytes(ms_gpr__memory *memory, size_t count, size_t size)
 {
-    const size_t front = sizeof(ms_gpr__front) + 63, size = ms__size_add(arena->used, front);
-    char *start = (char *)ms__alloc(allocator, size);
-    ms_gpr__front *f;
-    if (start == NULL) return 0;
-    arena->base = start + front - ((uintptr_t)(start + front) & 63);
-    arena->used = 0;
-    f = (ms_gpr__front *)(void *)arena->base - 1;
-    f->start = start;
-    f->size = size;
-    return 1;
+    const size_t front = sizeof(ms_gpr__block) + 63, all = ms__size_add(ms__size_mul(count, size), front);
+    char *start = (char *)ms__alloc(&memory->allocator, all);
+    ms_gpr__block *block;
+    memory->failed |= start == NULL;
+    if (start == NULL) return NULL;
+    memset(start, 0, all);
+    block = (ms_gpr__block *)(void *)(start + front - ((uintptr_t)(start + front) & 63)) - 1;
+    block->before = memory->last;
+    block->start = start;
+    block->size = all;
+    memory->last = block;
+    return block + 1;
 }
 
-/* NULL is allowed. */
-static void ms_gpr__release(const ms_allocator *allocator, void *base)
+static double *ms_gpr__take(ms_gpr__memory *memory, size_t a, size_t b)
 {
-    const ms_gpr__front *f = (const ms_gpr__front *)base;
-    if (f != NULL) ms__release(allocator, f[-1].start, f[-1].size);
+    return (double *)ms_gpr__take_bytes(memory, ms__size_mul(a, b), sizeof(double));
 }
 
-static double *ms_gpr__take(ms__arena *arena, size_t a, size_t b)
+/* The next `arrays` arguments (double **) become arrays of so many doubles. */
+static void ms_gpr__take_each(ms_gpr__memory *memory, size_t doubles, int arrays, ...)
 {
-    return (double *)ms__take(arena, ms__size_mul(a, b), sizeof(double));
+    va_list list;
+    va_start(list, arrays);
+    for (; arrays > 0; --arrays) *va_arg(list, double **) = ms_gpr__take(memory, doubles, 1);
+    va_end(list);
 }
 
-/* Scratch, to be released; NULL: no memory. */
-static double *ms_gpr__scratch(const ms_allocator *allocator, size_t doubles)
+static void ms_gpr__release(ms_gpr__memory *memory)
 {
-    ms__arena arena = {NULL, 0};
-    ms_gpr__take(&arena, doubles, 1);
-    return ms_gpr__place(allocator, &arena) ? (double *)(void *)arena.base : NULL;
+    while (memory->last) {
+        const ms_gpr__block block = *memory->last;
+        ms__release(&memory->allocator, block.start, block.size);
+        memory->last = block.before;
+    }
+}
+
+/* MS_OUT_OF_MEMORY where an array had no room. */
+static ms_status ms_gpr__taken(const ms_gpr__memory *memory, const char *what, ms_error *error)
+{
+    return memory->failed ? ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %s", what) : MS_OK;
 }
 
 /* ---- descent --------------------------------------------------------------------------------------------------- */
@@ -1168,13 +1153,13 @@ typedef struct ms_gpr__minimum {
     int stopped; /* f asked to stop */
 } ms_gpr__minimum;
 
-/* How a search runs; q stays in the box [low, high] (NULL: no bounds). */
+/* How a search runs; q stays in the box [low, high]. */
 typedef struct ms_gpr__search {
     ms_gpr__objective f;
     void *context;
     int count; /* of variables */
     const double *low, *high;
-    double step;      /* no variable moves farther at a time; 0: 1e300 */
+    double step;      /* no variable moves farther at a time */
     double tolerance; /* ends when an iteration gains less, and no projected slope is above its root */
     int evaluations;  /* at most */
 } ms_gpr__search;
@@ -1184,16 +1169,12 @@ static size_t ms_gpr__minimize_doubles(int count)
     return ms__size_add(ms__size_mul((size_t)count, 2 * MS_GPR__MEMORY + 4), 2 * MS_GPR__MEMORY);
 }
 
-static double ms_gpr__clip(const ms_gpr__search *s, int i, double x)
-{
-    if (s->low && x < s->low[i]) return s->low[i];
-    return s->high && x > s->high[i] ? s->high[i] : x;
-}
+static double ms_gpr__clamp(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
 
 /* Whether variable i sits on a bound and the gradient holds it there. */
 static int ms_gpr__at_bound(const ms_gpr__search *s, int i, double x, double slope)
 {
-    return (s->low && x <= s->low[i] && slope > 0) || (s->high && x >= s->high[i] && slope < 0);
+    return (x <= s->low[i] && slope > 0) || (x >= s->high[i] && slope < 0);
 }
 
 static double ms_gpr__product(const double *a, const double *b, size_t count)
@@ -1220,11 +1201,12 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
            *direction = gradient + n, *trial = direction + n, *trial_gradient = trial + n, *rho = trial_gradient + n,
            *a = rho + MS_GPR__MEMORY;
     ms_gpr__minimum best;
+    double gain = HUGE_VAL;
     int stored = 0, newest = -1, i, k, defined;
     best.stopped = 0;
     best.evaluations = 1;
     best.value = HUGE_VAL;
-    for (i = 0; i < s->count; ++i) q[i] = ms_gpr__clip(s, i, q[i]);
+    for (i = 0; i < s->count; ++i) q[i] = ms_gpr__clamp(q[i], s->low[i], s->high[i]);
     defined = s->f(s->context, q, &best.value, gradient);
     if (defined != 1) {
         best.value = HUGE_VAL;
@@ -1233,12 +1215,13 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
     }
     while (best.evaluations < s->evaluations) {
         double slope = 0, largest = 0, step = 1, value = 0, decrease = 0, steepest = 0;
-        double *move, *change, length, gain, curvature;
+        double *move, *change, length, curvature;
         for (i = 0; i < s->count; ++i) {
             direction[i] = ms_gpr__at_bound(s, i, q[i], gradient[i]) ? 0 : -gradient[i];
             if (fabs(direction[i]) > steepest) steepest = fabs(direction[i]);
         }
-        if (!(steepest > 0)) break;
+        if (!(steepest > 0) || gain < 1e-3 * s->tolerance) break;
+        if (gain < s->tolerance && steepest * steepest < s->tolerance) break;
         length = 0.5 / fmax(steepest, 0.5);
         for (k = 0; k < stored; ++k) { /* two-loop recursion, on the free variables */
             const size_t at = (size_t)((newest - k + MS_GPR__MEMORY) % MS_GPR__MEMORY);
@@ -1265,11 +1248,11 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
             stored = 0; /* forget, and go downhill */
             continue;
         }
-        if (s->step > 0 && largest > s->step) step = s->step / largest;
+        if (largest > s->step) step = s->step / largest;
         for (;;) {
             decrease = 0;
             for (i = 0; i < s->count; ++i) {
-                trial[i] = ms_gpr__clip(s, i, q[i] + step * direction[i]);
+                trial[i] = ms_gpr__clamp(q[i] + step * direction[i], s->low[i], s->high[i]);
                 decrease += gradient[i] * (trial[i] - q[i]);
             }
             defined = s->f(s->context, trial, &value, trial_gradient);
@@ -1297,12 +1280,11 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
         }
         move = moves + (size_t)((newest + 1) % MS_GPR__MEMORY) * n;
         change = changes + (size_t)((newest + 1) % MS_GPR__MEMORY) * n;
-        for (i = 0, steepest = 0; i < s->count; ++i) {
+        for (i = 0; i < s->count; ++i) {
             move[i] = trial[i] - q[i];
             change[i] = trial_gradient[i] - gradient[i];
             q[i] = trial[i];
             gradient[i] = trial_gradient[i];
-            if (!ms_gpr__at_bound(s, i, q[i], gradient[i])) steepest = fmax(steepest, fabs(gradient[i]));
         }
         gain = best.value - value;
         best.value = value;
@@ -1312,28 +1294,25 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
             rho[newest] = 1 / curvature;
             if (stored < MS_GPR__MEMORY) ++stored;
         }
-        if (gain < s->tolerance && steepest * steepest < s->tolerance) break;
-        if (gain < 1e-3 * s->tolerance) break;
     }
     return best;
 }
 
 /* From the best of the starts q [starts][count] to a minimum, in the first row: every start runs for `trial`
-   evaluations. *won: which it was. */
-static ms_gpr__minimum ms_gpr__minimize_starts(ms_gpr__search *s, double *q, int starts, int trial, double *work,
-                                               int *won)
+   evaluations. */
+static ms_gpr__minimum ms_gpr__minimize_starts(ms_gpr__search *s, double *q, int starts, int trial, double *work)
 {
     const int budget = s->evaluations;
     const size_t row = (size_t)s->count;
-    double best = HUGE_VAL;
+    double best = HUGE_VAL, *won = q;
     int i;
     s->evaluations = budget < trial ? budget : trial;
-    for (*won = i = 0; i < starts && starts > 1; ++i) {
+    for (i = 0; i < starts && starts > 1; ++i) {
         ms_gpr__minimum found = ms_gpr__minimize(s, q + (size_t)i * row, work);
         if (found.stopped) return found;
-        if (found.value < best) best = found.value, *won = i;
+        if (found.value < best) best = found.value, won = q + (size_t)i * row;
     }
-    memmove(q, q + (size_t)*won * row, row * sizeof *q);
+    memmove(q, won, row * sizeof *q);
     s->evaluations = budget;
     return ms_gpr__minimize(s, q, work);
 }
@@ -1353,23 +1332,20 @@ typedef struct ms_gpr__problem {
     int n, m;        /* m: dimensions in use */
     size_t stride;   /* of every matrix here */
     double *points;  /* [m][stride] inputs in length scales, by dimension */
-    double *target;  /* [stride] scores less the prior mean */
+    double *target;  /* [stride] scores less the prior mean, or MS_GPR_UNSCORED */
     double *alpha;   /* [stride] K'^-1 target; of soft ones K^-1 f */
     double *kernel;  /* [n][stride] K, upper triangle */
     double *upper;   /* [n][stride] the factor U'U of K', of soft ones of K + W^-1; the gradient puts -(U'U)^-1 there */
     double *inverse; /* [n][stride] U'^-1 */
     double *weight;  /* [stride] a row of dL/dK * K */
     /* of soft problems: */
-    int soft, choices;
-    char *scored;        /* [n] */
-    int *rows, *first;   /* materials of all choices; [choices + 1] where each begins */
+    int soft;
+    ms_gpr_choices choices;
+    int joined;          /* rows behind the last one that a choice has are independent given f */
     double *probability; /* of the materials of a choice */
-    double *solved;      /* [n][stride] U'^-1 K; before that, W of the rows that choices have */
+    double *solved;      /* [n][stride] U'^-1 K; before that, W */
     double *latent;      /* [stride] f */
     double *list;        /* [6][stride] scratch */
-    int members;         /* rows that choices have */
-    int *member;         /* [n] these rows, in their order */
-    int *position;       /* [n] where a row is among them; -1: it is not */
 } ms_gpr__problem;
 
 /* K, upper triangle: sf^2 exp(-d^2 / 2), 0 for padding. */
@@ -1392,13 +1368,14 @@ static int ms_gpr__factor(const ms_gpr__kernels *f, const double *kernel, size_t
 {
     int padded = ms_gpr__padded(n), i;
     for (i = 0; i < padded; ++i) {
-        size_t at = (size_t)i * stride + (size_t)(i / MS_GPR__BLOCK * MS_GPR__BLOCK);
-        if (upper != kernel)
-            memcpy(upper + at, kernel + at, ((size_t)i * stride + (size_t)padded - at) * sizeof *upper);
-        upper[(size_t)i * stride + (size_t)i] = sf2 + noise;
+        const size_t at = (size_t)i * (stride + 1);
+        memcpy(upper + at, kernel + at, (size_t)(padded - i) * sizeof *upper);
+        upper[at] = sf2 + noise;
     }
     return ms_gpr__cholesky(f, upper, stride, padded, n * 2.220446049250313e-16 * (sf2 + noise));
 }
+
+static int ms_gpr__scored(double y) { return y > 0.5 * MS_GPR_UNSCORED; }
 
 static double ms_gpr__log_determinant(const double *upper, size_t stride, int n)
 {
@@ -1408,15 +1385,14 @@ static double ms_gpr__log_determinant(const double *upper, size_t stride, int n)
     return 2 * sum;
 }
 
-/* upper = -K'^-1 = -(U'^-1)' U'^-1 of the factor U that is there, upper triangle. */
-static void ms_gpr__minus_inverse(ms_gpr__problem *p)
+/* matrix = -(U'U)^-1 = -(U'^-1)' U'^-1, upper triangle, of the first n rows of the factor U that it holds. */
+static void ms_gpr__minus_inverse(ms_gpr__problem *p, double *matrix, int n)
 {
-    const int padded = ms_gpr__padded(p->n);
-    const size_t matrix = (size_t)padded * p->stride * sizeof *p->inverse;
-    memset(p->inverse, 0, matrix);
-    ms_gpr__invert(p->kernels, p->upper, p->stride, padded, p->inverse);
-    memset(p->upper, 0, matrix);
-    p->kernels->reduce(p->upper, p->stride, p->inverse, p->stride, p->inverse, p->stride, padded, padded, padded,
+    const size_t size = (size_t)n * p->stride * sizeof *matrix;
+    memset(p->inverse, 0, size);
+    ms_gpr__invert(p->kernels, matrix, p->stride, n, p->inverse);
+    memset(matrix, 0, size);
+    p->kernels->reduce(matrix, p->stride, p->inverse, p->stride, p->inverse, p->stride, n, n, n,
                        MS_GPR__UPPER | MS_GPR__LOWER);
 }
 
@@ -1429,12 +1405,13 @@ static void ms_gpr__times_kernel(const ms_gpr__problem *p, const double *v, doub
     for (i = 0; i < padded; ++i) out[i] = p->kernels->dot(p->kernel + (size_t)i * p->stride, v, padded);
 }
 
-/* p->probability of the materials of choice c at the latent values, scale s; returns the logarithm of the first one. */
-static double ms_gpr__choose(const ms_gpr__problem *p, int c, double s)
+static int ms_gpr__choice_size(const ms_gpr_choices *choices, int c) { return choices->sizes ? choices->sizes[c] : 2; }
+
+/* p->probability of the materials of a choice at the latent values, scale s; returns the logarithm of the first one. */
+static double ms_gpr__choose(const ms_gpr__problem *p, const int *row, int size, double s)
 {
-    const int *row = p->rows + p->first[c];
-    int size = p->first[c + 1] - p->first[c], i;
     double largest = p->latent[row[0]], sum = 0;
+    int i;
     for (i = 1; i < size; ++i) largest = fmax(largest, p->latent[row[i]]);
     for (i = 0; i < size; ++i) sum += p->probability[i] = exp((p->latent[row[i]] - largest) / s);
     for (i = 0; i < size; ++i) p->probability[i] /= sum;
@@ -1446,84 +1423,73 @@ static double ms_gpr__scale_of(double noise) { return MS_GPR__SCALE_OF_CHOICES *
 /* log p(what was said | f) - alpha' f / 2, which Newton's method climbs. */
 static double ms_gpr__log_posterior(const ms_gpr__problem *p, double ridge, double noise)
 {
+    const int *row = p->choices.rows;
     double sum = 0, s = ms_gpr__scale_of(noise);
-    int i;
+    int size, i;
     for (i = 0; i < p->n; ++i) {
         double off = p->target[i] - p->latent[i];
         sum -= 0.5 * p->latent[i] * (p->alpha[i] + ridge * p->latent[i]);
-        if (p->scored[i]) sum -= 0.5 * (off * off / noise + log(noise) + MS_GPR__LOG_2_PI);
+        if (ms_gpr__scored(p->target[i])) sum -= 0.5 * (off * off / noise + log(noise) + MS_GPR__LOG_2_PI);
     }
-    for (i = 0; i < p->choices; ++i) sum += ms_gpr__choose(p, i, s);
+    for (i = 0; i < p->choices.count; ++i, row += size) {
+        size = ms_gpr__choice_size(&p->choices, i);
+        sum += ms_gpr__choose(p, row, size, s);
+    }
     return sum;
 }
 
-/* W of the rows that choices have, from l' and diagonal of the scores: adds to l' what the choices have, puts the
-   factor of W into `solved`. A choice adds (diag(p) - p p') / s^2. Returns log |W|, or 1e300 where it has no factor. */
-static double ms_gpr__laplace_choices(ms_gpr__problem *p, double s, const double *diagonal, double *l1)
+/* At the latent values: W into `solved`, upper triangle, and l1 = l' = d log p / df. A choice adds (diag(p) - p p') /
+   s^2 to W. */
+static void ms_gpr__laplace_terms(ms_gpr__problem *p, double ridge, double noise, double *l1)
 {
-    size_t stride = ms_gpr__stride(p->members);
-    int padded = ms_gpr__padded(p->members), c, i, j;
-    double *w = p->solved;
-    memset(w, 0, (size_t)padded * stride * sizeof *w);
-    for (i = 0; i < padded; ++i) w[(size_t)i * (stride + 1)] = i < p->members ? diagonal[p->member[i]] : 1;
-    for (c = 0; c < p->choices; ++c) {
-        const int *row = p->rows + p->first[c];
-        ms_gpr__choose(p, c, s);
-        for (i = 0; i < p->first[c + 1] - p->first[c]; ++i) {
-            int a = p->position[row[i]];
-            double pi = p->probability[i] / (s * s);
+    const int *row = p->choices.rows;
+    double *w = p->solved, s = ms_gpr__scale_of(noise);
+    int padded = ms_gpr__padded(p->n), size, c, i, j;
+    memset(w, 0, (size_t)padded * p->stride * sizeof *w);
+    for (i = 0; i < padded; ++i) {
+        const int scored = i < p->n && ms_gpr__scored(p->target[i]);
+        w[(size_t)i * (p->stride + 1)] = i < p->n ? ridge + (scored ? 1 / noise : 0) : 1;
+        l1[i] = (scored ? (p->target[i] - p->latent[i]) / noise : 0) - ridge * p->latent[i];
+    }
+    for (c = 0; c < p->choices.count; ++c, row += size) {
+        size = ms_gpr__choice_size(&p->choices, c);
+        ms_gpr__choose(p, row, size, s);
+        for (i = 0; i < size; ++i) {
+            const double pi = p->probability[i] / (s * s);
             l1[row[i]] += ((i == 0) - p->probability[i]) / s;
-            w[(size_t)a * (stride + 1)] += pi * (1 - p->probability[i]);
-            for (j = 0; j < i; ++j) {
-                int b = p->position[row[j]];
-                w[(size_t)(a < b ? a : b) * stride + (size_t)(a < b ? b : a)] -= pi * p->probability[j];
+            w[(size_t)row[i] * (p->stride + 1)] += pi;
+            for (j = 0; j <= i; ++j) {
+                const int first = row[i] < row[j] ? row[i] : row[j], second = row[i] < row[j] ? row[j] : row[i];
+                w[(size_t)first * p->stride + (size_t)second] -= pi * p->probability[j];
             }
         }
     }
-    if (!ms_gpr__cholesky(p->kernels, w, stride, padded, 0)) return 1e300;
-    return ms_gpr__log_determinant(w, stride, p->members);
 }
 
-/* upper = the factor of K + W^-1 at the latent values; list[0] = f + W^-1 l', list[1] = l' = d log p / df. Returns
-   log |W|, or 1e300 where a factor fails. */
+/* upper = the factor of K + W^-1 at the latent values; list[0] = f + W^-1 l', list[1] = l'. Returns log |W|, or 1e300
+   where a factor fails. */
 static double ms_gpr__laplace_factor(ms_gpr__problem *p, double ridge, double noise)
 {
     const ms_gpr__kernels *f = p->kernels;
-    size_t stride = ms_gpr__stride(p->members);
-    int padded = ms_gpr__padded(p->members), i, j;
-    size_t block = (size_t)padded * stride * sizeof(double);
-    double *z = p->list, *l1 = z + p->stride, *diagonal = z + 4 * p->stride, *v = diagonal + p->stride, *w = p->solved;
-    double determinant;
-    for (i = 0; i < ms_gpr__padded(p->n); ++i) {
-        int scored = i < p->n && p->scored[i];
-        diagonal[i] = i < p->n ? ridge + (scored ? 1 / noise : 0) : 1;
-        l1[i] = i < p->n ? (scored ? (p->target[i] - p->latent[i]) / noise : 0) - ridge * p->latent[i] : 0;
+    const int padded = ms_gpr__padded(p->n), joined = ms_gpr__padded(p->joined);
+    double *z = p->list, *l1 = z + p->stride, *w = p->solved, determinant;
+    int i;
+    ms_gpr__laplace_terms(p, ridge, noise, l1);
+    if (!ms_gpr__cholesky(f, w, p->stride, joined, 0)) return 1e300;
+    for (i = joined; i < padded; ++i) w[(size_t)i * (p->stride + 1)] = sqrt(w[(size_t)i * (p->stride + 1)]);
+    determinant = ms_gpr__log_determinant(w, p->stride, p->n);
+    memcpy(z, l1, (size_t)padded * sizeof *z);
+    ms_gpr__solve(f, w, p->stride, padded, z);
+    ms_gpr__minus_inverse(p, w, joined);
+    memcpy(p->upper, p->kernel, (size_t)padded * p->stride * sizeof *p->upper);
+    for (i = 0; i < padded; ++i) {
+        const size_t at = (size_t)i * p->stride;
+        const double root = w[at + (size_t)i];
+        z[i] += p->latent[i];
+        if (i < joined) f->axpy(p->upper + at, -1, w + at, joined);
+        else p->upper[at + (size_t)i] += 1 / (root * root);
     }
-    determinant = ms_gpr__laplace_choices(p, ms_gpr__scale_of(noise), diagonal, l1);
-    if (determinant > 1e299) return determinant;
-    memcpy(p->upper, p->kernel, (size_t)ms_gpr__padded(p->n) * p->stride * sizeof *p->upper);
-    for (i = 0; i < ms_gpr__padded(p->n); ++i) {
-        z[i] = p->latent[i] + l1[i] / diagonal[i];
-        if (i < p->n && p->position[i] >= 0) continue;
-        p->upper[(size_t)i * (p->stride + 1)] += 1 / diagonal[i];
-        if (i < p->n) determinant += log(diagonal[i]);
-    }
-
-    /* the rows that choices have; members are in the order of rows */
-    memset(v, 0, (size_t)padded * sizeof *v);
-    for (i = 0; i < p->members; ++i) v[i] = l1[p->member[i]];
-    ms_gpr__forward_vector(f, w, stride, padded, v);
-    ms_gpr__backward_vector(f, w, stride, padded, v);
-    memset(p->inverse, 0, block);
-    ms_gpr__invert(f, w, stride, padded, p->inverse);
-    memset(w, 0, block);
-    f->reduce(w, stride, p->inverse, stride, p->inverse, stride, padded, padded, padded, MS_GPR__UPPER | MS_GPR__LOWER);
-    for (i = 0; i < p->members; ++i) {
-        double *row = p->upper + (size_t)p->member[i] * p->stride;
-        z[p->member[i]] = p->latent[p->member[i]] + v[i];
-        for (j = i; j < p->members; ++j) row[p->member[j]] -= w[(size_t)i * stride + (size_t)j];
-    }
-    return ms_gpr__cholesky(f, p->upper, p->stride, ms_gpr__padded(p->n), 0) ? determinant : 1e300;
+    return ms_gpr__cholesky(f, p->upper, p->stride, padded, 0) ? determinant : 1e300;
 }
 
 /* Laplace's approximation, from the alpha that is there: Newton's method in f (Rasmussen & Williams 2006, 3.4, with W
@@ -1544,8 +1510,7 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
         determinant = ms_gpr__laplace_factor(p, ridge, noise);
         if (determinant > 1e299 || !ms__finite(determinant)) return 0;
         memcpy(turn, z, row);
-        ms_gpr__forward_vector(f, p->upper, p->stride, padded, turn);
-        ms_gpr__backward_vector(f, p->upper, p->stride, padded, turn);
+        ms_gpr__solve(f, p->upper, p->stride, padded, turn);
         ms_gpr__times_kernel(p, turn, move);
         for (i = 0; i < padded; ++i) {
             turn[i] -= p->alpha[i];
@@ -1575,21 +1540,21 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
 static void ms_gpr__laplace_third(ms_gpr__problem *p, double noise, const double *covariance, double *third,
                                   double *by_s, double *by_noise)
 {
+    const int *row = p->choices.rows;
     double s = ms_gpr__scale_of(noise), *q = p->list + 5 * p->stride;
-    int c, i, j;
+    int size, c, i, j;
     memset(third, 0, p->stride * sizeof *third);
     memset(by_s, 0, p->stride * sizeof *by_s);
     for (i = 0; i < p->n; ++i) {
         double off = p->target[i] - p->latent[i];
-        if (!p->scored[i]) continue;
+        if (!ms_gpr__scored(p->target[i])) continue;
         by_s[i] = -2 * off / noise;
         *by_noise += off * off / noise - 1 + covariance[(size_t)i * (p->stride + 1)] / noise;
     }
-    for (c = 0; c < p->choices; ++c) {
-        const int *row = p->rows + p->first[c];
-        int size = p->first[c + 1] - p->first[c];
+    for (c = 0; c < p->choices.count; ++c, row += size) {
         double mean_q = 0, mean_variance = 0, quadratic = 0, mean_latent = 0, *probability = p->probability;
-        ms_gpr__choose(p, c, s);
+        size = ms_gpr__choice_size(&p->choices, c);
+        ms_gpr__choose(p, row, size, s);
         for (i = 0; i < size; ++i) {
             const double *own = covariance + (size_t)row[i] * p->stride;
             double product = 0; /* (C p)_i */
@@ -1611,10 +1576,11 @@ static void ms_gpr__laplace_third(ms_gpr__problem *p, double noise, const double
 }
 
 /* What the gradient of Laplace's log p(y) has besides tr((alpha alpha' - (K + W^-1)^-1) dK) / 2 because f depends on
-   theta (Rasmussen & Williams 2006, 5.5.1): u' dK alpha with u = (I - (K + W^-1)^-1 K) s into u, s as in
-   ms_gpr__laplace_third; and by log sf and log sn through ridge and noise. */
-static void ms_gpr__laplace_implicit(ms_gpr__problem *p, double sf2, double noise, double **implicit, double *by_sf,
-                                     double *by_sn)
+   theta (Rasmussen & Williams 2006, 5.5.1): u' dK alpha with u = (I - (K + W^-1)^-1 K) s, s as in
+   ms_gpr__laplace_third; and by log sf and log sn through ridge and noise. Returns
+   u, in the list of the problem. */
+static const double *ms_gpr__laplace_implicit(ms_gpr__problem *p, double sf2, double noise, double *by_sf,
+                                              double *by_sn)
 {
     const ms_gpr__kernels *f = p->kernels;
     int padded = ms_gpr__padded(p->n), i;
@@ -1629,15 +1595,14 @@ static void ms_gpr__laplace_implicit(ms_gpr__problem *p, double sf2, double nois
     f->reduce(p->inverse, p->stride, p->solved, p->stride, p->solved, p->stride, padded, padded, padded, 0);
     ms_gpr__laplace_third(p, noise, p->inverse, s, by_s, by_sn);
     ms_gpr__times_kernel(p, s, u);
-    ms_gpr__forward_vector(f, p->upper, p->stride, padded, u);
-    ms_gpr__backward_vector(f, p->upper, p->stride, padded, u);
+    ms_gpr__solve(f, p->upper, p->stride, padded, u);
     for (i = 0; i < padded; ++i) u[i] = s[i] - u[i];
     ms_gpr__times_kernel(p, u, h);
     *by_sn += f->dot(by_s, h, padded);
     for (i = 0; i < p->n; ++i)
         *by_sf += ridge *
             (p->latent[i] * p->latent[i] + p->inverse[(size_t)i * (p->stride + 1)] + 2 * p->latent[i] * h[i]);
-    *implicit = u;
+    return u;
 }
 
 /* Moves alpha and f from the mode to the mean, to third order: E f = f + C s (Tierney & Kadane 1986). By the mode
@@ -1645,11 +1610,10 @@ static void ms_gpr__laplace_implicit(ms_gpr__problem *p, double sf2, double nois
    the last step is off by the length of that step. 0: no factor. */
 static int ms_gpr__laplace_mean(ms_gpr__problem *p, double sf2, double noise)
 {
-    double *u = NULL, by_sf, by_sn;
+    double by_sf, by_sn;
     int padded = ms_gpr__padded(p->n);
     if (ms_gpr__laplace_factor(p, MS_GPR__RIDGE / sf2, noise) > 1e299) return 0;
-    ms_gpr__laplace_implicit(p, sf2, noise, &u, &by_sf, &by_sn);
-    p->kernels->axpy(p->alpha, 1, u, padded);
+    p->kernels->axpy(p->alpha, 1, ms_gpr__laplace_implicit(p, sf2, noise, &by_sf, &by_sn), padded);
     p->kernels->axpy(p->latent, 1, p->list + 2 * p->stride, padded);
     return 1;
 }
@@ -1664,7 +1628,8 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
     const ms_gpr__kernels *f = p->kernels;
     int padded = ms_gpr__padded(p->n), i, k;
     size_t row = (size_t)padded * sizeof(double);
-    double trace = 0, kernel_sum = 0, by_sf = 0, by_sn = 0, *implicit = NULL;
+    double trace = 0, kernel_sum = 0, by_sf = 0, by_sn = 0;
+    const double *implicit = NULL;
     ms_gpr__covariance(f, p->points, p->stride, p->n, p->m, sf2, p->kernel);
     if (p->soft) {
         for (i = 0; i < padded; ++i) { /* K, whole */
@@ -1676,16 +1641,14 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
     } else {
         if (!ms_gpr__factor(f, p->kernel, p->stride, p->n, sf2, noise, p->upper)) return 0;
         memcpy(p->alpha, p->target, row);
-        ms_gpr__forward_vector(f, p->upper, p->stride, padded, p->alpha);
+        ms_gpr__solve(f, p->upper, p->stride, padded, p->alpha);
         *likelihood = -0.5 *
-            (f->dot(p->alpha, p->alpha, padded) + ms_gpr__log_determinant(p->upper, p->stride, p->n) +
+            (f->dot(p->alpha, p->target, padded) + ms_gpr__log_determinant(p->upper, p->stride, p->n) +
              p->n * MS_GPR__LOG_2_PI);
-        ms_gpr__backward_vector(f, p->upper, p->stride, padded, p->alpha);
     }
     if (gradient == NULL) return 1;
-    if (p->soft) ms_gpr__laplace_implicit(p, sf2, noise, &implicit, &by_sf, &by_sn);
-
-    ms_gpr__minus_inverse(p);
+    if (p->soft) implicit = ms_gpr__laplace_implicit(p, sf2, noise, &by_sf, &by_sn);
+    ms_gpr__minus_inverse(p, p->upper, padded);
 
     /* row by row: weights (alpha_i alpha_j - K'^-1_ij) K_ij, and their sums over d_ijk^2: dK_ij/dlog l_k = K_ij d_ijk^2
        and pairs count twice */
@@ -1712,127 +1675,65 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
 }
 
 /* How many materials all choices have. */
-static size_t ms_gpr__choice_rows(const ms_gpr_choices *c)
+static size_t ms_gpr__choice_rows(const ms_gpr_choices *choices)
 {
     size_t sum = 0;
     int i;
-    for (i = 0; i < c->count; ++i) sum += (size_t)(c->sizes ? c->sizes[i] : 2);
+    for (i = 0; i < choices->count; ++i) sum += (size_t)ms_gpr__choice_size(choices, i);
     return sum;
 }
 
-/* Places or counts what a problem of these sizes needs. Once it is placed, ms_gpr__problem_clear. */
-static void ms_gpr__problem_layout(ms_gpr__problem *p, const ms_gpr__kernels *kernels, int n, int m, int soft,
-                                   const ms_gpr_choices *choices, ms__arena *arena)
+/* The arrays of a problem; all are 0. */
+static void ms_gpr__problem_make(ms_gpr__problem *p, const ms_gpr__kernels *kernels, int n, int m, int soft,
+                                 const ms_gpr_choices *choices, ms_gpr__memory *memory)
 {
-    const size_t padded = (size_t)ms_gpr__padded(n), rows = (size_t)n, columns = (size_t)m;
-    const size_t count = (size_t)choices->count, chosen = ms_gpr__choice_rows(choices);
+    const size_t padded = (size_t)ms_gpr__padded(n), stride = ms_gpr__stride(n), chosen = ms_gpr__choice_rows(choices);
+    size_t i;
+    memset(p, 0, sizeof *p);
     p->kernels = kernels;
     p->n = n;
     p->m = m;
-    p->stride = ms_gpr__stride(n);
-    p->kernel = ms_gpr__take(arena, padded, p->stride);
-    p->upper = ms_gpr__take(arena, padded, p->stride);
-    p->inverse = ms_gpr__take(arena, padded, p->stride);
-    p->points = ms_gpr__take(arena, columns, p->stride);
-    p->target = ms_gpr__take(arena, p->stride, 1);
-    p->alpha = ms_gpr__take(arena, p->stride, 1);
-    p->weight = ms_gpr__take(arena, p->stride, 1);
+    p->stride = stride;
+    p->points = ms_gpr__take(memory, (size_t)m, stride);
+    ms_gpr__take_each(memory, padded * stride, 3, &p->kernel, &p->upper, &p->inverse);
+    ms_gpr__take_each(memory, stride, 3, &p->target, &p->alpha, &p->weight);
     p->soft = soft;
     if (!soft) return;
-    p->choices = choices->count;
-    p->solved = ms_gpr__take(arena, padded, p->stride);
-    p->latent = ms_gpr__take(arena, p->stride, 1);
-    p->list = ms_gpr__take(arena, 6, p->stride);
-    p->probability = ms_gpr__take(arena, rows, 1);
-    p->scored = (char *)ms__take(arena, rows, 1);
-    p->rows = (int *)ms__take(arena, chosen, sizeof(int));
-    p->first = (int *)ms__take(arena, count + 1, sizeof(int));
-    p->member = (int *)ms__take(arena, rows, sizeof(int));
-    p->position = (int *)ms__take(arena, rows, sizeof(int));
-}
-
-/* Points, target and alpha are 0 where nothing is written; the choices are copied. */
-static void ms_gpr__problem_clear(ms_gpr__problem *p, const ms_gpr_choices *choices)
-{
-    int i;
-    memset(p->points, 0, (size_t)p->m * p->stride * sizeof *p->points);
-    memset(p->target, 0, p->stride * sizeof *p->target);
-    memset(p->alpha, 0, p->stride * sizeof *p->alpha);
-    if (!p->soft) return;
-    memset(p->scored, 0, (size_t)p->n);
-    for (p->first[0] = 0, i = 0; i < p->choices; ++i)
-        p->first[i + 1] = p->first[i] + (choices->sizes ? choices->sizes[i] : 2);
-    if (p->choices > 0) memcpy(p->rows, choices->rows, (size_t)p->first[p->choices] * sizeof *p->rows);
-    for (i = 0; i < p->n; ++i) p->position[i] = -1;
-    for (i = 0; i < p->first[p->choices]; ++i) p->position[p->rows[i]] = 0;
-    for (p->members = i = 0; i < p->n; ++i) {
-        if (p->position[i] < 0) continue;
-        p->member[p->members] = i;
-        p->position[i] = p->members++;
-    }
+    p->choices = *choices;
+    p->solved = ms_gpr__take(memory, padded, stride);
+    p->list = ms_gpr__take(memory, 6, stride);
+    ms_gpr__take_each(memory, stride, 2, &p->latent, &p->probability);
+    for (i = 0; i < chosen; ++i) p->joined = choices->rows[i] < p->joined ? p->joined : choices->rows[i] + 1;
 }
 
 /* ---- model ----------------------------------------------------------------------------------------------------- */
 
 static const double MS_GPR__DROPPED = 700.0; /* log l_k of a dimension that is dropped: no exp of it overflows */
-enum { MS_GPR__N_MAX = 30000 };              /* the matrix has 7 GB then */
-enum { MS_GPR__CHOICES_MAX = 10000000 };     /* materials in all choices */
+enum { MS_GPR__N_MAX = 30000 };              /* by memory */
 static const double MS_GPR__LARGEST = 1e30;  /* of a score or an input: squares of sums stay finite */
 static const double MS_GPR__INT_MAX = 2147483647;
 
 struct ms_gpr {
+    ms_gpr_view view; /* what it consists of; its arrays are in `memory`. floor_value >= floor: there is no floor */
+    ms_gpr_options o;
     int n, m, active; /* active: dimensions in use */
     size_t stride;
-    double mean, floor, floor_value; /* as in ms_gpr_view; floor_value >= floor: there is no floor */
-    double jitter, likelihood;
-    int soft;               /* conditioned by Laplace's approximation */
-    ms_gpr_choices choices; /* whose arrays are in `memory` */
-    ms_simd level;
+    double likelihood;
+    int soft; /* conditioned by Laplace's approximation */
     const ms_gpr__kernels *kernels;
-    ms_allocator allocator;
-    ms_parallel parallel;
-    void *memory;   /* what follows */
-    double *x;      /* [n][m] */
-    double *y;      /* [n] */
-    double *value;  /* [n] y, or what is predicted for a row without */
-    double *theta;  /* [m + 2] */
-    double *center; /* [m] subtracted from inputs, so that offsets cost no digits */
-    double *scale;  /* [m] 1 / l_k */
-    double *points; /* [active][stride] (x - center) / l by dimension, padded with zeros */
-    double *alpha;  /* [stride] */
-    double *weight; /* [stride] sf^2 alpha */
-    double *upper;  /* [n][stride] U'U = K', of soft ones K + W^-1 */
-    int *dimension; /* [active] which column of x */
+    ms_gpr__memory memory; /* what follows */
+    double *value;         /* [n] y, or what is predicted for a row without */
+    double *center;        /* [m] subtracted from inputs, so that offsets cost no digits */
+    double *scale;         /* [m] 1 / l_k */
+    double *points;        /* [active][stride] (x - center) / l by dimension, padded with zeros */
+    double *alpha;         /* [stride] */
+    double *upper;         /* [n][stride] U'U = K', of soft ones K + W^-1 */
+    int *dimension;        /* [active] which column of x */
 };
 
-static void ms_gpr__layout(ms_gpr *gp, const ms_gpr_choices *choices, ms__arena *arena)
-{
-    size_t m = (size_t)gp->m, rows = (size_t)gp->n, count = (size_t)choices->count;
-    int *chosen, *sizes;
-    gp->stride = ms_gpr__stride(gp->n);
-    gp->upper = ms_gpr__take(arena, (size_t)ms_gpr__padded(gp->n), gp->stride);
-    gp->points = ms_gpr__take(arena, m, gp->stride);
-    gp->alpha = ms_gpr__take(arena, gp->stride, 1);
-    gp->weight = ms_gpr__take(arena, gp->stride, 1);
-    gp->x = ms_gpr__take(arena, rows, m);
-    gp->y = ms_gpr__take(arena, rows, 1);
-    gp->value = ms_gpr__take(arena, rows, 1);
-    gp->theta = ms_gpr__take(arena, m + 2, 1);
-    gp->center = ms_gpr__take(arena, m, 1);
-    gp->scale = ms_gpr__take(arena, m, 1);
-    gp->dimension = (int *)ms__take(arena, m, sizeof(int));
-    chosen = (int *)ms__take(arena, ms_gpr__choice_rows(choices), sizeof(int));
-    sizes = (int *)ms__take(arena, choices->sizes ? count : 0, sizeof(int));
-    gp->choices.count = choices->count;
-    gp->choices.rows = chosen;
-    gp->choices.sizes = choices->sizes ? sizes : NULL;
-}
+static double ms_gpr__sf2(const ms_gpr *gp) { return exp(2 * gp->view.theta[gp->m]); }
+static double ms_gpr__sn2(const ms_gpr *gp) { return exp(2 * gp->view.theta[gp->m + 1]); }
 
-static double ms_gpr__sf2(const ms_gpr *gp) { return exp(2 * gp->theta[gp->m]); }
-static double ms_gpr__sn2(const ms_gpr *gp) { return exp(2 * gp->theta[gp->m + 1]); }
-static int ms_gpr__scored(double y) { return y > 0.5 * MS_GPR_UNSCORED; }
-
-/* What a score is modeled as. */
 static double ms_gpr__modeled(double y, double floor, double floor_value)
 {
     return floor_value < floor && y <= floor ? floor_value : y;
@@ -1840,7 +1741,8 @@ static double ms_gpr__modeled(double y, double floor, double floor_value)
 
 static double ms_gpr__target(const ms_gpr *gp, int i)
 {
-    return ms_gpr__scored(gp->y[i]) ? ms_gpr__modeled(gp->y[i], gp->floor, gp->floor_value) - gp->mean : 0;
+    const ms_gpr_view *v = &gp->view;
+    return ms_gpr__scored(v->y[i]) ? ms_gpr__modeled(v->y[i], v->floor, v->floor_value) - v->mean : MS_GPR_UNSCORED;
 }
 
 /* The input x [m] in length scales from the center, `spacing` apart. */
@@ -1872,81 +1774,70 @@ static int ms_gpr__score_range(const double *y, int n, double *least, double *la
 static double ms_gpr__floor_of(const ms_gpr *gp)
 {
     double least, largest;
-    if (gp->floor_value < gp->floor) return gp->floor;
-    ms_gpr__score_range(gp->y, gp->n, &least, &largest);
+    if (gp->view.floor_value < gp->view.floor) return gp->view.floor;
+    ms_gpr__score_range(gp->view.y, gp->n, &least, &largest);
     return largest > least || least < 0 ? least : 0;
 }
 
-/* The problem of this model's data and theta; *memory is from the model's allocator, to be released. */
-static ms_status ms_gpr__problem_of(const ms_gpr *gp, ms_gpr__problem *p, void **memory, ms_error *error)
+/* The problem of this model's data and theta, in memory that is to be released whatever is returned. */
+static ms_status ms_gpr__problem_of(const ms_gpr *gp, ms_gpr__problem *p, ms_gpr__memory *memory, ms_error *error)
 {
-    ms__arena arena = {NULL, 0};
+    ms_status status;
     int i;
-    memset(p, 0, sizeof *p);
-    ms_gpr__problem_layout(p, gp->kernels, gp->n, gp->active, gp->soft, &gp->choices, &arena);
-    if (!ms_gpr__place(&gp->allocator, &arena))
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d points", gp->n);
-    ms_gpr__problem_layout(p, gp->kernels, gp->n, gp->active, gp->soft, &gp->choices, &arena);
-    *memory = arena.base;
-    ms_gpr__problem_clear(p, &gp->choices);
+    ms_gpr__problem_make(p, gp->kernels, gp->n, gp->active, gp->soft, &gp->view.choices, memory);
+    status = ms_gpr__taken(memory, "a likelihood", error);
+    if (status != MS_OK) return status;
     memcpy(p->points, gp->points, (size_t)gp->active * gp->stride * sizeof *p->points);
-    for (i = 0; i < gp->n; ++i) {
-        p->target[i] = ms_gpr__target(gp, i);
-        if (gp->soft) p->scored[i] = (char)ms_gpr__scored(gp->y[i]);
-    }
+    for (i = 0; i < gp->n; ++i) p->target[i] = ms_gpr__target(gp, i);
     return MS_OK;
 }
 
 /* Everything that follows from x, y, choices and theta. The jitter, in units of sf^2, is the least power of ten that
-   does. */
-static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
+   does. Newton's method starts where `before` (or NULL), a model of mostly the same rows, has its mean. */
+static ms_status ms_gpr__condition(ms_gpr *gp, const ms_gpr *before, ms_error *error)
 {
     ms_gpr__problem p;
-    void *memory = NULL;
+    ms_gpr__memory memory = {gp->o.allocator, NULL, 0};
     double sf2 = ms_gpr__sf2(gp);
-    size_t m = (size_t)gp->m, row = (size_t)ms_gpr__padded(gp->n) * sizeof(double);
+    size_t m = (size_t)gp->m, row = gp->stride * sizeof(double);
     int found = 0, i, k;
     ms_status status;
 
     /* points in length scales from the center of all, by the dimensions in use */
-    gp->active = 0;
     for (k = 0; k < gp->m; ++k) {
-        double sum = 0;
-        gp->scale[k] = exp(-gp->theta[k]);
-        if (gp->theta[k] < MS_GPR__DROPPED) gp->dimension[gp->active++] = k;
-        for (i = 0; i < gp->n; ++i) sum += gp->x[(size_t)i * m + (size_t)k] / gp->n;
-        gp->center[k] = sum;
+        gp->scale[k] = exp(-gp->view.theta[k]);
+        if (gp->view.theta[k] < MS_GPR__DROPPED) gp->dimension[gp->active++] = k;
+        for (i = 0; i < gp->n; ++i) gp->center[k] += gp->view.x[(size_t)i * m + (size_t)k] / gp->n;
     }
-    memset(gp->points, 0, m * gp->stride * sizeof *gp->points);
-    gp->soft = gp->choices.count > 0;
+    gp->soft = gp->view.choices.count > 0;
     for (i = 0; i < gp->n; ++i) {
-        ms_gpr__scale(gp, gp->x + (size_t)i * m, gp->points + i, gp->stride);
-        gp->value[i] = gp->y[i];
-        gp->soft |= !ms_gpr__scored(gp->y[i]);
+        ms_gpr__scale(gp, gp->view.x + (size_t)i * m, gp->points + i, gp->stride);
+        gp->soft |= !ms_gpr__scored(gp->view.y[i]);
     }
 
     /* the posterior */
     status = ms_gpr__problem_of(gp, &p, &memory, error);
-    if (status != MS_OK) return status;
-    for (gp->jitter = 0; gp->jitter < 2e-6; gp->jitter = fmax(10 * gp->jitter, 1e-15)) {
-        double noise = ms_gpr__sn2(gp) + gp->jitter * sf2;
+    for (; status == MS_OK && gp->view.jitter < 2e-6; gp->view.jitter = fmax(10 * gp->view.jitter, 1e-15)) {
+        double noise = ms_gpr__sn2(gp) + gp->view.jitter * sf2;
         memset(p.alpha, 0, row);
+        if (before) memcpy(p.alpha, before->alpha, (size_t)(before->n < gp->n ? before->n : gp->n) * sizeof *p.alpha);
         found = ms_gpr__evaluate(&p, sf2, noise, &gp->likelihood, NULL);
-        if (found && p.choices > 0) found = ms_gpr__laplace_mean(&p, sf2, noise);
+        if (found && p.choices.count > 0) found = ms_gpr__laplace_mean(&p, sf2, noise);
         if (found) break;
     }
-    memset(gp->alpha, 0, gp->stride * sizeof *gp->alpha);
-    if (found) memcpy(gp->alpha, p.alpha, row);
-    memcpy(gp->upper, p.upper, (size_t)ms_gpr__padded(gp->n) * gp->stride * sizeof *p.upper);
-    for (i = 0; i < ms_gpr__padded(gp->n); ++i) {
-        gp->weight[i] = sf2 * gp->alpha[i];
-        if (i < gp->n && !ms_gpr__scored(gp->y[i])) gp->value[i] = gp->mean + p.latent[i];
+    if (found) {
+        memcpy(gp->alpha, p.alpha, row);
+        memcpy(gp->upper, p.upper, (size_t)ms_gpr__padded(gp->n) * row);
+        for (i = 0; i < gp->n; ++i)
+            gp->value[i] = ms_gpr__scored(gp->view.y[i]) ? gp->view.y[i] : gp->view.mean + p.latent[i];
+    } else if (status == MS_OK) {
+        status = ms__fail(error, MS_NOT_CONVERGED, 0,
+                          "the covariance matrix of %d points is not positive definite even with 1e-6 sf^2 added to "
+                          "sn^2",
+                          gp->n);
     }
-    ms_gpr__release(&gp->allocator, memory);
-    if (found) return MS_OK;
-    return ms__fail(error, MS_NOT_CONVERGED, 0,
-                    "the covariance matrix of %d points is not positive definite even with 1e-6 sf^2 added to sn^2",
-                    gp->n);
+    ms_gpr__release(&memory);
+    return status;
 }
 
 /* --- checks --- */
@@ -1970,7 +1861,7 @@ static ms_status ms_gpr__check_rows(const double *x, int rows, int columns, doub
     int i, k;
     for (i = 0; i < rows; ++i)
         for (k = 0; k < columns; ++k) {
-            double v = x[(size_t)i * (size_t)columns + (size_t)k];
+            const double v = x[(size_t)i * (size_t)columns + (size_t)k];
             if (!ms__finite(v) || !(fabs(v) <= limit))
                 return ms__fail(error, MS_BAD_DATA, (size_t)i + 1,
                                 "%s %d, column %d is %g: expected a number from %g to %g", what, i + 1, k + 1, v,
@@ -1979,121 +1870,107 @@ static ms_status ms_gpr__check_rows(const double *x, int rows, int columns, doub
     return MS_OK;
 }
 
-static ms_status ms_gpr__check_data(const double *x, const double *y, int n, int m, ms_error *error)
-{
-    double unscored = MS_GPR_UNSCORED;
-    ms_status status;
-    int i;
-    if (n < 0 || n > MS_GPR__N_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "n is %d: expected 0 to %d", n, MS_GPR__N_MAX);
-    if (m < 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "m is %d: expected at least 1", m);
-    if (n > 0 && (x == NULL || y == NULL)) return ms_gpr__null(x ? "y" : "x", error);
-    status = ms_gpr__check_rows(x, n, m, MS_GPR__LARGEST, "input", error);
-    for (i = 0; i < n && status == MS_OK; ++i)
-        if (memcmp(&y[i], &unscored, sizeof unscored) != 0 && (!ms__finite(y[i]) || !(fabs(y[i]) <= MS_GPR__LARGEST)))
-            status = ms__fail(error, MS_BAD_DATA, (size_t)i + 1, "score %d is %g: expected a number from %g to %g",
-                              i + 1, y[i], -MS_GPR__LARGEST, MS_GPR__LARGEST);
-    return status;
-}
-
-/* Choices of 2 to n different rows each. */
-static ms_status ms_gpr__check_choices(const ms_gpr_choices *choices, int n, const ms_allocator *allocator,
-                                       ms_error *error)
+static ms_status ms_gpr__check_choices(const ms_gpr_choices *choices, int n, ms_error *error)
 {
     const int *row = choices->rows;
-    int *last, i, j, total = 0;
-    ms_status status = MS_OK;
-    if (choices->count < 0 || choices->count > MS_GPR__CHOICES_MAX / 2)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "there are %d choices: expected 0 to %d", choices->count,
-                        MS_GPR__CHOICES_MAX / 2);
-    if (choices->count == 0) return MS_OK;
-    if (row == NULL) return ms_gpr__null("choices.rows", error);
-    last = (int *)ms__alloc(allocator, (size_t)n * sizeof *last); /* the last choice that had a row */
-    if (last == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for choices of %d materials", n);
-    for (i = 0; i < n; ++i) last[i] = -1;
-    for (i = 0; i < choices->count && status == MS_OK; ++i) {
-        int size = choices->sizes ? choices->sizes[i] : 2;
-        if (size < 2 || size > n || size > MS_GPR__CHOICES_MAX - total) {
-            status = ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i + 1, "choice %d has %d materials: expected 2 to %d",
-                              i + 1, size, n < MS_GPR__CHOICES_MAX - total ? n : MS_GPR__CHOICES_MAX - total);
-            break;
+    int i, j, k, wrong;
+    ms_status status = ms_gpr__check_range("choices.count", choices->count, 0, MS_GPR__INT_MAX, error);
+    if (status != MS_OK) return status;
+    if (choices->count > 0 && row == NULL) return ms_gpr__null("choices.rows", error);
+    for (i = 0; i < choices->count; ++i) {
+        const int size = ms_gpr__choice_size(choices, i);
+        if (size < 2 || size > n)
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i + 1, "choice %d has %d materials: expected 2 to %d",
+                            i + 1, size, n);
+        for (j = 0; j < size; ++j) {
+            wrong = row[j] < 0 || row[j] >= n;
+            for (k = 0; k < j; ++k) wrong |= row[k] == row[j];
+            if (wrong)
+                return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i + 1,
+                                "choice %d has row %d: expected different rows from 0 to %d", i + 1, row[j], n - 1);
         }
-        for (j = 0, total += size; j < size && status == MS_OK; ++j, ++row) {
-            if (*row < 0 || *row >= n || last[*row] == i)
-                status = ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i + 1,
-                                  "choice %d has row %d: expected different rows from 0 to %d", i + 1, *row, n - 1);
-            else last[*row] = i;
-        }
-    }
-    ms__release(allocator, last, (size_t)n * sizeof *last);
-    return status;
-}
-
-static ms_status ms_gpr__check_theta(const double *theta, int m, ms_error *error)
-{
-    int k;
-    for (k = 0; k < m + 2; ++k) {
-        double limit = k < m ? MS_GPR__DROPPED : 300;
-        if (!ms__finite(theta[k]) || !(fabs(theta[k]) <= limit))
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "theta[%d] is %g: expected a logarithm from %g to %g", k,
-                            theta[k], -limit, limit);
+        row += size;
     }
     return MS_OK;
 }
 
+static ms_status ms_gpr__check_parts(const ms_gpr_view *parts, ms_error *error)
+{
+    const double unscored = MS_GPR_UNSCORED, *y = parts->y;
+    const int n = parts->n, m = parts->m;
+    ms_status status = ms_gpr__check_range("n", n, 0, MS_GPR__N_MAX, error);
+    int i, k;
+    if (status == MS_OK) status = ms_gpr__check_range("m", m, 1, MS_GPR__INT_MAX, error);
+    if (status == MS_OK && n > 0 && (parts->x == NULL || y == NULL)) status = ms_gpr__null(parts->x ? "y" : "x", error);
+    if (status == MS_OK) status = ms_gpr__check_rows(parts->x, n, m, MS_GPR__LARGEST, "input", error);
+    for (i = 0; i < n && status == MS_OK; ++i)
+        if (memcmp(&y[i], &unscored, sizeof unscored) != 0 && (!ms__finite(y[i]) || !(fabs(y[i]) <= MS_GPR__LARGEST)))
+            status = ms__fail(error, MS_BAD_DATA, (size_t)i + 1, "score %d is %g: expected a number from %g to %g",
+                              i + 1, y[i], -MS_GPR__LARGEST, MS_GPR__LARGEST);
+    for (k = 0; status == MS_OK && parts->theta && k < m + 2; ++k) {
+        double limit = k < m ? MS_GPR__DROPPED : 300;
+        if (!ms__finite(parts->theta[k]) || !(fabs(parts->theta[k]) <= limit))
+            status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "theta[%d] is %g: expected a logarithm from %g to %g", k,
+                              parts->theta[k], -limit, limit);
+    }
+    if (status == MS_OK) status = ms_gpr__check_choices(&parts->choices, n, error);
+    if (status == MS_OK) status = ms_gpr__check_range("mean", parts->mean, -1e100, 1e100, error);
+    if (status == MS_OK) status = ms_gpr__check_range("floor", parts->floor, -1e100, 1e100, error);
+    if (status == MS_OK) status = ms_gpr__check_range("floor_value", parts->floor_value, -1e100, 1e100, error);
+    return status;
+}
+
 /* --- create, update --- */
 
-static ms_status ms_gpr__make(const ms_gpr_view *parts, const ms_gpr_options *o, ms_gpr **out, ms_error *error)
+/* before: as in ms_gpr__condition. */
+static ms_status ms_gpr__make(const ms_gpr_view *parts, const ms_gpr_options *o, const ms_gpr *before, ms_gpr **out,
+                              ms_error *error)
 {
-    ms__arena arena = {NULL, 0};
+    const size_t n = (size_t)parts->n, m = (size_t)parts->m, chosen = ms_gpr__choice_rows(&parts->choices);
     ms_gpr *gp = (ms_gpr *)ms__alloc(&o->allocator, sizeof *gp);
-    size_t n = (size_t)parts->n, m = (size_t)parts->m, k;
+    double *x, *y, *theta;
+    int *rows, *sizes, k;
     ms_status status;
     *out = NULL;
     if (gp == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a model");
     memset(gp, 0, sizeof *gp);
+    gp->o = *o;
     gp->n = parts->n;
     gp->m = parts->m;
-    gp->mean = parts->mean;
-    gp->floor = parts->floor;
-    gp->floor_value = parts->floor_value;
-    gp->level = ms_gpr__simd_pick(o->simd);
-    gp->kernels = ms_gpr__kernels_of(gp->level);
-    gp->allocator = o->allocator;
-    gp->parallel = o->parallel;
-    ms_gpr__layout(gp, &parts->choices, &arena);
-    if (!ms_gpr__place(&gp->allocator, &arena)) {
-        ms__release(&o->allocator, gp, sizeof *gp);
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a model of %d points and %d dimensions", parts->n,
-                        parts->m);
+    gp->stride = ms_gpr__stride(gp->n);
+    gp->memory.allocator = o->allocator;
+    gp->upper = ms_gpr__take(&gp->memory, (size_t)ms_gpr__padded(gp->n), gp->stride);
+    gp->points = ms_gpr__take(&gp->memory, m, gp->stride);
+    gp->alpha = ms_gpr__take(&gp->memory, gp->stride, 1);
+    x = ms_gpr__take(&gp->memory, n, m);
+    ms_gpr__take_each(&gp->memory, n, 2, &y, &gp->value);
+    ms_gpr__take_each(&gp->memory, m + 2, 3, &theta, &gp->center, &gp->scale);
+    gp->dimension = (int *)ms_gpr__take_bytes(&gp->memory, m, sizeof(int));
+    rows = (int *)ms_gpr__take_bytes(&gp->memory, chosen, sizeof(int));
+    sizes = (int *)ms_gpr__take_bytes(&gp->memory, (size_t)parts->choices.count, sizeof(int));
+    status = ms_gpr__taken(&gp->memory, "a model", error);
+    if (status == MS_OK) {
+        if (n > 0) memcpy(x, parts->x, n * m * sizeof *x);
+        if (n > 0) memcpy(y, parts->y, n * sizeof *y);
+        if (chosen > 0) memcpy(rows, parts->choices.rows, chosen * sizeof *rows);
+        for (k = 0; k < parts->choices.count; ++k) sizes[k] = ms_gpr__choice_size(&parts->choices, k);
+        for (k = 0; k < gp->m; ++k) theta[k] = 0.5 * log((double)m); /* the default: lengths sqrt(m), sf 1, sn 0.1 */
+        theta[m + 1] = -2.302585092994046;
+        if (parts->theta) memcpy(theta, parts->theta, (m + 2) * sizeof *theta);
+        gp->view = *parts;
+        gp->view.x = x;
+        gp->view.y = y;
+        gp->view.theta = theta;
+        gp->view.value = gp->value;
+        gp->view.choices.rows = rows;
+        gp->view.choices.sizes = sizes;
+        gp->view.jitter = 0;
+        gp->view.level = ms_gpr__simd_pick(o->simd);
+        gp->kernels = ms_gpr__kernels_of(gp->view.level);
+        status = ms_gpr__condition(gp, before, error);
     }
-    gp->memory = arena.base;
-    ms_gpr__layout(gp, &parts->choices, &arena);
-    if (n > 0) memcpy(gp->x, parts->x, n * m * sizeof *gp->x);
-    if (n > 0) memcpy(gp->y, parts->y, n * sizeof *gp->y);
-    if (parts->choices.count > 0) {
-        memcpy((int *)(uintptr_t)gp->choices.rows, parts->choices.rows,
-               ms_gpr__choice_rows(&parts->choices) * sizeof(int));
-        if (gp->choices.sizes)
-            memcpy((int *)(uintptr_t)gp->choices.sizes, parts->choices.sizes, (size_t)gp->choices.count * sizeof(int));
-    }
-    for (k = 0; k < m + 2; ++k) /* the default: lengths sqrt(m), sf 1, sn 0.1 */
-        gp->theta[k] = parts->theta ? parts->theta[k] : k < m ? 0.5 * log((double)m) : k == m ? 0 : -2.302585092994046;
-    status = ms_gpr__condition(gp, error);
     if (status == MS_OK) *out = gp;
     else ms_gpr_destroy(gp);
-    return status;
-}
-
-static ms_status ms_gpr__check_parts(const ms_gpr_view *parts, const ms_allocator *allocator, ms_error *error)
-{
-    ms_status status = ms_gpr__check_data(parts->x, parts->y, parts->n, parts->m, error);
-    if (status == MS_OK && parts->theta == NULL && parts->n > 0) status = ms_gpr__null("theta", error);
-    if (status == MS_OK && parts->theta) status = ms_gpr__check_theta(parts->theta, parts->m, error);
-    if (status == MS_OK) status = ms_gpr__check_choices(&parts->choices, parts->n, allocator, error);
-    if (status == MS_OK) status = ms_gpr__check_range("mean", parts->mean, -1e100, 1e100, error);
-    if (status == MS_OK) status = ms_gpr__check_range("floor", parts->floor, -1e100, 1e100, error);
-    if (status == MS_OK) status = ms_gpr__check_range("floor_value", parts->floor_value, -1e100, 1e100, error);
     return status;
 }
 
@@ -2106,24 +1983,20 @@ MS_API ms_status ms_gpr_create(const ms_gpr_view *parts, const ms_gpr_options *o
     if (parts == NULL) return ms_gpr__null("parts", error);
     memset(&o, 0, sizeof o);
     if (options) o = *options;
-    status = ms_gpr__check_parts(parts, &o.allocator, error);
-    return status == MS_OK ? ms_gpr__make(parts, &o, out, error) : status;
+    status = ms_gpr__check_parts(parts, error);
+    if (status == MS_OK && parts->theta == NULL && parts->n > 0) status = ms_gpr__null("theta", error);
+    return status == MS_OK ? ms_gpr__make(parts, &o, NULL, out, error) : status;
 }
 
 MS_API ms_status ms_gpr_update(ms_gpr *gp, const ms_gpr_view *parts, ms_error *error)
 {
-    ms_gpr_options o;
     ms_gpr *made, old;
     ms_status status;
     if (gp == NULL || parts == NULL) return ms_gpr__null(gp ? "parts" : "gp", error);
-    if (parts->m != gp->m)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "m is %d: expected %d as before", parts->m, gp->m);
-    memset(&o, 0, sizeof o);
-    o.simd = gp->level;
-    o.allocator = gp->allocator;
-    o.parallel = gp->parallel;
-    status = ms_gpr__check_parts(parts, &o.allocator, error);
-    if (status == MS_OK) status = ms_gpr__make(parts, &o, &made, error);
+    status = ms_gpr__check_range("m", parts->m, gp->m, gp->m, error);
+    if (status == MS_OK) status = ms_gpr__check_parts(parts, error);
+    if (status == MS_OK && parts->theta == NULL && parts->n > 0) status = ms_gpr__null("theta", error);
+    if (status == MS_OK) status = ms_gpr__make(parts, &gp->o, gp, &made, error);
     if (status != MS_OK) return status;
     old = *gp;
     *gp = *made;
@@ -2136,8 +2009,8 @@ MS_API void ms_gpr_destroy(ms_gpr *gp)
 {
     ms_allocator allocator;
     if (gp == NULL) return;
-    allocator = gp->allocator;
-    ms_gpr__release(&allocator, gp->memory);
+    allocator = gp->o.allocator;
+    ms_gpr__release(&gp->memory);
     ms__release(&allocator, gp, sizeof *gp);
 }
 
@@ -2146,56 +2019,51 @@ MS_API ms_gpr_view ms_gpr_view_of(const ms_gpr *gp)
     ms_gpr_view view;
     memset(&view, 0, sizeof view);
     if (gp == NULL) return view;
-    view.n = gp->n;
-    view.m = gp->m;
-    view.x = gp->x;
-    view.y = gp->y;
-    view.value = gp->value;
-    view.theta = gp->theta;
-    view.choices = gp->choices;
-    view.mean = gp->mean;
+    view = gp->view;
     view.floor = ms_gpr__floor_of(gp);
-    view.floor_value = gp->floor_value < gp->floor ? gp->floor_value : view.floor;
-    view.jitter = gp->jitter;
-    view.level = gp->level;
+    if (!(gp->view.floor_value < gp->view.floor)) view.floor_value = view.floor;
     return view;
-}
-
-MS_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance)
-{
-    int i, k;
-    for (k = 0; gp && relevance && k < gp->m; ++k) {
-        double sum = 0;
-        for (i = 0; i < gp->n; ++i) {
-            double d = (gp->x[(size_t)i * (size_t)gp->m + (size_t)k] - gp->center[k]) * gp->scale[k];
-            sum += d * d;
-        }
-        relevance[k] = gp->n > 1 && gp->theta[k] < MS_GPR__DROPPED ? 2 * sum / (gp->n - 1) : 0;
-    }
-}
-
-/* What the other n - 1 points say about each score: residual [n] = score - mean, variance [n] with noise. inverse:
-   [padded n][stride] scratch. Rasmussen & Williams 2006, (5.10) to (5.12). Under Laplace's approximation scores stand
-   for its pseudo-targets. */
-static void ms_gpr__leave_one_out(const ms_gpr *gp, double *inverse, double *residual, double *variance)
-{
-    int padded = ms_gpr__padded(gp->n), i, j;
-    memset(inverse, 0, (size_t)padded * gp->stride * sizeof *inverse);
-    for (j = 0; j < gp->n; ++j) variance[j] = 0;
-    ms_gpr__invert(gp->kernels, gp->upper, gp->stride, padded, inverse);
-    for (i = 0; i < gp->n; ++i) { /* the diagonal of K'^-1 = Y'Y */
-        const double *row = inverse + (size_t)i * gp->stride;
-        for (j = 0; j <= i; ++j) variance[j] += row[j] * row[j];
-    }
-    for (i = 0; i < gp->n; ++i) {
-        variance[i] = 1 / variance[i];
-        residual[i] = gp->alpha[i] * variance[i];
-    }
 }
 
 /* --- prediction --- */
 
-/* One task: chunks of candidates task, task + tasks, ... */
+/* Means, and where variance is not NULL variances, of CHUNK candidates: scaled [active] rows, in length scales.
+   columns: scratch of one row; with variances [padded n] rows, left as U'^-1 k(training, candidates). Rows are `stride`
+   apart. */
+static void ms_gpr__chunk(const ms_gpr *gp, const double *scaled, double *columns, size_t stride, double *mean,
+                          double *variance)
+{
+    const int padded = ms_gpr__padded(gp->n);
+    const double sf2 = ms_gpr__sf2(gp);
+    int i, j;
+    for (j = 0; j < MS_GPR__CHUNK; ++j) mean[j] = gp->view.mean;
+    for (i = 0; i < padded; ++i) {
+        double *row = variance ? columns + (size_t)i * stride : columns;
+        gp->kernels->distances(row, scaled, stride, gp->points + i, gp->stride, gp->active, MS_GPR__CHUNK);
+        gp->kernels->exponentials(row, MS_GPR__CHUNK, i < gp->n ? sf2 : 0);
+        gp->kernels->axpy(mean, gp->alpha[i], row, MS_GPR__CHUNK);
+    }
+    if (variance == NULL) return;
+    ms_gpr__forward(gp->kernels, gp->upper, gp->stride, padded, columns, stride, MS_GPR__CHUNK);
+    for (j = 0; j < MS_GPR__CHUNK; ++j) variance[j] = sf2;
+    for (i = 0; i < gp->n; ++i) {
+        const double *v = columns + (size_t)i * stride;
+        for (j = 0; j < MS_GPR__CHUNK; ++j) variance[j] = fmax(variance[j] - v[j] * v[j], 0);
+    }
+}
+
+/* row [stride] = k(training, x), 0 for padding; point [m] = x in length scales. */
+static void ms_gpr__covariances(const ms_gpr *gp, const double *x, double *point, double *row)
+{
+    const int padded = ms_gpr__padded(gp->n);
+    int i;
+    ms_gpr__scale(gp, x, point, 1);
+    gp->kernels->distances(row, gp->points, gp->stride, point, 1, gp->active, padded);
+    gp->kernels->exponentials(row, padded, ms_gpr__sf2(gp));
+    for (i = gp->n; i < padded; ++i) row[i] = 0;
+}
+
+/* Predictions that tasks share: chunks of candidates task, task + tasks, ... */
 typedef struct ms_gpr__batch {
     const ms_gpr *gp;
     const double *x;
@@ -2205,52 +2073,6 @@ typedef struct ms_gpr__batch {
     size_t task_doubles;
 } ms_gpr__batch;
 
-/* 64 candidates by dimension, in length scales; missing ones stand at the center. */
-static int ms_gpr__chunk_scale(const ms_gpr__batch *b, int start, double *scaled)
-{
-    int filled = b->count - start < MS_GPR__CHUNK ? b->count - start : MS_GPR__CHUNK, j;
-    memset(scaled, 0, (size_t)b->gp->active * MS_GPR__CHUNK * sizeof *scaled);
-    for (j = 0; j < filled; ++j)
-        ms_gpr__scale(b->gp, b->x + (size_t)(start + j) * (size_t)b->gp->m, scaled + j, MS_GPR__CHUNK);
-    return filled;
-}
-
-/* mean = K alpha. tile: [CHUNK] scratch. */
-static void ms_gpr__chunk_mean(const ms_gpr *gp, const double *scaled, double *tile, double *mean)
-{
-    int i;
-    memset(mean, 0, MS_GPR__CHUNK * sizeof *mean);
-    for (i = 0; i < gp->n; ++i) {
-        gp->kernels->distances(tile, scaled, MS_GPR__CHUNK, gp->points + i, gp->stride, gp->active, MS_GPR__CHUNK);
-        gp->kernels->exponentials(tile, MS_GPR__CHUNK, 1);
-        gp->kernels->axpy(mean, gp->weight[i], tile, MS_GPR__CHUNK);
-    }
-}
-
-/* k(training, candidates), [padded n] rows of CHUNK; rows of scaled and columns are `stride` apart. */
-static void ms_gpr__chunk_kernel(const ms_gpr *gp, const double *scaled, double *columns, size_t stride)
-{
-    double sf2 = ms_gpr__sf2(gp);
-    int i;
-    for (i = 0; i < ms_gpr__padded(gp->n); ++i) {
-        double *row = columns + (size_t)i * stride;
-        gp->kernels->distances(row, scaled, stride, gp->points + i, gp->stride, gp->active, MS_GPR__CHUNK);
-        gp->kernels->exponentials(row, MS_GPR__CHUNK, i < gp->n ? sf2 : 0);
-    }
-}
-
-/* mean += columns' alpha, columns = v = U'^-1 columns, variance -= |v|^2 */
-static void ms_gpr__chunk_explain(const ms_gpr *gp, double *columns, size_t stride, double *mean, double *variance)
-{
-    int i, j;
-    for (i = 0; i < gp->n; ++i) gp->kernels->axpy(mean, gp->alpha[i], columns + (size_t)i * stride, MS_GPR__CHUNK);
-    ms_gpr__forward(gp->kernels, gp->upper, gp->stride, ms_gpr__padded(gp->n), columns, stride, MS_GPR__CHUNK);
-    for (i = 0; i < gp->n; ++i) {
-        const double *v = columns + (size_t)i * stride;
-        for (j = 0; j < MS_GPR__CHUNK; ++j) variance[j] -= v[j] * v[j];
-    }
-}
-
 static void ms_gpr__predict_task(void *context, int task)
 {
     const ms_gpr__batch *b = (const ms_gpr__batch *)context;
@@ -2259,84 +2081,89 @@ static void ms_gpr__predict_task(void *context, int task)
     double mean[MS_GPR__CHUNK], variance[MS_GPR__CHUNK];
     int start, j;
     for (start = task * MS_GPR__CHUNK; start < b->count; start += b->tasks * MS_GPR__CHUNK) {
-        int filled = ms_gpr__chunk_scale(b, start, scaled);
-        if (b->mean) {
-            ms_gpr__chunk_mean(gp, scaled, columns, mean);
-            for (j = 0; j < filled; ++j) b->mean[start + j] = gp->mean + mean[j];
+        const int filled = b->count - start < MS_GPR__CHUNK ? b->count - start : MS_GPR__CHUNK;
+        for (j = 0; j < filled; ++j)
+            ms_gpr__scale(gp, b->x + (size_t)(start + j) * (size_t)gp->m, scaled + j, MS_GPR__CHUNK);
+        ms_gpr__chunk(gp, scaled, columns, MS_GPR__CHUNK, mean, b->variance ? variance : NULL);
+        for (j = 0; j < filled; ++j) {
+            if (b->mean) b->mean[start + j] = mean[j];
+            if (b->variance) b->variance[start + j] = variance[j];
         }
-        if (b->variance == NULL) continue;
-        for (j = 0; j < MS_GPR__CHUNK; ++j) mean[j] = 0, variance[j] = ms_gpr__sf2(gp);
-        ms_gpr__chunk_kernel(gp, scaled, columns, MS_GPR__CHUNK);
-        ms_gpr__chunk_explain(gp, columns, MS_GPR__CHUNK, mean, variance);
-        for (j = 0; j < filled; ++j) b->variance[start + j] = variance[j] > 0 ? variance[j] : 0;
     }
 }
 
-/* Shares the chunks out to at most 16 tasks, each with its own scratch. */
-static ms_status ms_gpr__predict_run(ms_gpr__batch *b, ms_error *error)
+static ms_status ms_gpr__check_candidates(const ms_gpr *gp, const double *x, int count, ms_error *error)
 {
-    const ms_gpr *gp = b->gp;
-    size_t rows = b->variance ? (size_t)ms_gpr__padded(gp->n) : 0;
-    int chunks = (b->count - 1) / MS_GPR__CHUNK + 1;
-    if (b->count == 0) return MS_OK;
-    b->tasks = gp->parallel.run == NULL ? 1 : chunks < 16 ? chunks : 16;
-    b->task_doubles = ms__size_mul(MS_GPR__CHUNK, (size_t)gp->active + (rows > 0 ? rows : 1));
-    b->scratch = ms_gpr__scratch(&gp->allocator, ms__size_mul((size_t)b->tasks, b->task_doubles));
-    if (b->scratch == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for predictions");
-    ms__run(&gp->parallel, b->tasks, ms_gpr__predict_task, b);
-    ms_gpr__release(&gp->allocator, b->scratch);
-    return MS_OK;
-}
-
-/* The checks that predictions share. */
-static ms_status ms_gpr__predict_begin(ms_gpr__batch *b, const ms_gpr *gp, const double *x, int count, ms_error *error)
-{
-    memset(b, 0, sizeof *b);
+    ms_status status;
     if (gp == NULL || (count > 0 && x == NULL)) return ms_gpr__null(gp ? "x" : "gp", error);
-    if (count < 0 || count > 0x7fffffff - 16 * MS_GPR__CHUNK)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected 0 to %d", count,
-                        0x7fffffff - 16 * MS_GPR__CHUNK);
-    b->gp = gp;
-    b->x = x;
-    b->count = count;
-    return ms_gpr__check_rows(x, count, gp->m, 1.7e308, "candidate", error);
+    status = ms_gpr__check_range("count", count, 0, 0x7fffffff - 16 * MS_GPR__CHUNK, error);
+    return status == MS_OK ? ms_gpr__check_rows(x, count, gp->m, 1.7e308, "candidate", error) : status;
 }
 
 MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, double *mean, double *variance,
                                 ms_error *error)
 {
-    ms_gpr__batch b;
-    ms_status status = ms_gpr__predict_begin(&b, gp, x, count, error);
-    if (status != MS_OK) return status;
-    b.mean = mean;
-    b.variance = variance;
-    return ms_gpr__predict_run(&b, error);
+    ms_gpr__batch b = {gp, x, count, 1, mean, variance, NULL, 0};
+    ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
+    ms_status status = ms_gpr__check_candidates(gp, x, count, error);
+    int chunks = (count - 1) / MS_GPR__CHUNK + 1;
+    if (status != MS_OK || count == 0) return status;
+    memory.allocator = gp->o.allocator;
+    if (gp->o.parallel.run) b.tasks = chunks < 16 ? chunks : 16;
+    b.task_doubles = MS_GPR__CHUNK * ((size_t)gp->active + 1 + (variance ? (size_t)ms_gpr__padded(gp->n) : 0));
+    b.scratch = ms_gpr__take(&memory, (size_t)b.tasks, b.task_doubles);
+    status = ms_gpr__taken(&memory, "predictions", error);
+    if (status == MS_OK) ms__run(&gp->o.parallel, b.tasks, ms_gpr__predict_task, &b);
+    ms_gpr__release(&memory);
+    return status;
+}
+
+MS_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *variance, ms_error *error)
+{
+    ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
+    double *inverse;
+    ms_status status;
+    int padded, i, j;
+    if (gp == NULL || mean == NULL || variance == NULL)
+        return ms_gpr__null(gp == NULL ? "gp" : mean == NULL ? "mean" : "variance", error);
+    memory.allocator = gp->o.allocator;
+    padded = ms_gpr__padded(gp->n);
+    inverse = ms_gpr__take(&memory, (size_t)padded, gp->stride);
+    status = ms_gpr__taken(&memory, "predictions of scores", error);
+    if (status == MS_OK) ms_gpr__invert(gp->kernels, gp->upper, gp->stride, padded, inverse);
+    for (i = 0; i < gp->n && status == MS_OK; ++i) {
+        double diagonal = 0; /* of K'^-1 = Y'Y, which is 1 / variance */
+        for (j = i; j < gp->n; ++j) diagonal += pow(inverse[(size_t)j * gp->stride + (size_t)i], 2);
+        variance[i] = 1 / diagonal;
+        mean[i] = gp->view.mean + ms_gpr__target(gp, i) - gp->alpha[i] / diagonal;
+    }
+    ms_gpr__release(&memory);
+    return status;
 }
 
 MS_API ms_status ms_gpr_preference(const ms_gpr *gp, const double *a, const double *b, int count, double *probability,
                                    ms_error *error)
 {
-    ms_gpr__batch pairs;
-    double sf2, scale2, *k;
+    ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
+    double sf2, scale2, *k, *other, *point, *than;
     int i, j, padded;
-    ms_status status = ms_gpr__predict_begin(&pairs, gp, b, count, error);
-    if (status == MS_OK) status = ms_gpr__predict_begin(&pairs, gp, a, count, error);
+    ms_status status = ms_gpr__check_candidates(gp, b, count, error);
+    if (status == MS_OK) status = ms_gpr__check_candidates(gp, a, count, error);
     if (status == MS_OK && probability == NULL && count > 0) status = ms_gpr__null("probability", error);
     if (status != MS_OK) return status;
+    memory.allocator = gp->o.allocator;
+    ms_gpr__take_each(&memory, gp->stride, 2, &k, &other);
+    ms_gpr__take_each(&memory, (size_t)gp->m, 2, &point, &than);
+    status = ms_gpr__taken(&memory, "pairs of materials", error);
     padded = ms_gpr__padded(gp->n);
     sf2 = ms_gpr__sf2(gp);
-    scale2 = MS_GPR__SCALE_OF_CHOICES * MS_GPR__SCALE_OF_CHOICES * (ms_gpr__sn2(gp) + gp->jitter * sf2);
-    k = ms_gpr__scratch(&gp->allocator, 2 * (gp->stride + (size_t)gp->m));
-    if (k == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for pairs of materials");
-    for (i = 0; i < count; ++i) { /* f(a) - f(b): k(a) - k(b), variance 2 sf^2 - 2 k(a, b) - |U'^-1 (k(a) - k(b))|^2 */
-        double *other = k + gp->stride, *point = other + gp->stride, *than = point + gp->m, d2 = 0, mean, variance;
-        ms_gpr__scale(gp, a + (size_t)i * (size_t)gp->m, point, 1);
-        ms_gpr__scale(gp, b + (size_t)i * (size_t)gp->m, than, 1);
-        gp->kernels->distances(k, gp->points, gp->stride, point, 1, gp->active, padded);
-        gp->kernels->distances(other, gp->points, gp->stride, than, 1, gp->active, padded);
-        gp->kernels->exponentials(k, padded, sf2);
-        gp->kernels->exponentials(other, padded, sf2);
-        for (j = 0; j < padded; ++j) k[j] = j < gp->n ? k[j] - other[j] : 0;
+    scale2 = MS_GPR__SCALE_OF_CHOICES * MS_GPR__SCALE_OF_CHOICES * (ms_gpr__sn2(gp) + gp->view.jitter * sf2);
+    for (i = 0; i < count && status == MS_OK; ++i) {
+        /* f(a) - f(b): k(a) - k(b), variance 2 sf^2 - 2 k(a, b) - |U'^-1 (k(a) - k(b))|^2 */
+        double d2 = 0, mean, variance;
+        ms_gpr__covariances(gp, a + (size_t)i * (size_t)gp->m, point, k);
+        ms_gpr__covariances(gp, b + (size_t)i * (size_t)gp->m, than, other);
+        gp->kernels->axpy(k, -1, other, padded);
         for (j = 0; j < gp->active; ++j) d2 += (point[j] - than[j]) * (point[j] - than[j]);
         mean = gp->kernels->dot(k, gp->alpha, padded);
         ms_gpr__forward_vector(gp->kernels, gp->upper, gp->stride, padded, k);
@@ -2344,8 +2171,8 @@ MS_API ms_status ms_gpr_preference(const ms_gpr *gp, const double *a, const doub
         /* MacKay 1992: pi / 8 makes a logistic of a normal's tail */
         probability[i] = 1 / (1 + exp(-mean / sqrt(scale2 + 0.39269908169872414 * variance)));
     }
-    ms_gpr__release(&gp->allocator, k);
-    return MS_OK;
+    ms_gpr__release(&memory);
+    return status;
 }
 
 /* ---- learn ----------------------------------------------------------------------------------------------------- */
@@ -2375,8 +2202,8 @@ static const double MS_GPR__PRIOR_LENGTH = 2.1; /* times sqrt(m) */
 static const double MS_GPR__PRIOR_LENGTH_SPREAD = 1.5;
 static const double MS_GPR__PRIOR_SF_SPREAD = 1.0;
 static const double MS_GPR__PRIOR_SN = 0.5;
-/* Choices alone tell only the ratio of sf and sn, few of them not even that: 0.7 over 0.5 is a person who orders four
-   random pairs of five as they like them (1/2 + atan(ratio) / pi), one standard deviation 71% to 88%. */
+/* Choices alone tell only the ratio of sf and sn, few of them not even that: its prior is a person who orders most
+   random pairs as they like them (1/2 + atan(ratio) / pi of all). */
 static const double MS_GPR__PRIOR_SF_CHOICES = 0.7;
 static const double MS_GPR__PRIOR_SF_CHOICES_SPREAD = 0.5;
 static const double MS_GPR__PRIOR_SN_SPREAD = 0.25;
@@ -2385,18 +2212,15 @@ static const double MS_GPR__FLOOR_OFFSET = 0.75; /* standard deviations that sco
 
 enum {
     MS_GPR__STARTS = 3,
-    MS_GPR__TRIAL = 30,       /* evaluations of each start before all but the best stop */
-    MS_GPR__PART = 100,       /* scores at least that the starts run on, and 4 m; a third of all, at most 400 */
-    MS_GPR__OUTLIER_ROWS = 8, /* scores at least before one of them is an outlier */
-    MS_GPR__OUTLIER_GROUP = 3 /* slips at most that may hide each other */
+    MS_GPR__TRIAL = 30, /* evaluations of each start before all but the best stop */
+    MS_GPR__PART = 100  /* scores at least that the starts run on, and 4 m; a third of all, at most 400 */
 };
-static const double MS_GPR__OUTLIER_RANGES = 3.0;
-static const double MS_GPR__OUTLIER_DEVIATIONS = 5.0;
 
 /* The search over q = log l_k / width_k, log sf / unit, log sn / unit; unit: the standard deviation of the scores. */
 typedef struct ms_gpr__fit {
     ms_gpr_fit_options o;    /* with the defaults filled in */
-    int n, m, part, starts;  /* m: columns that are not constant; part: scores that the starts run on */
+    ms_gpr_view data;        /* what the model is made of */
+    int m, part, starts;     /* m: columns that are not constant; part: scores that the starts run on */
     ms_gpr__problem problem; /* its scores have mean 0 and standard deviation 1; the first `part` rows are the part */
     double *columns;         /* [m][stride] inputs in widths from their centers, by dimension */
     int *column;             /* [m] which column of x */
@@ -2406,8 +2230,7 @@ typedef struct ms_gpr__fit {
     double *q;               /* [starts][m + 2]; the winner ends in the first row */
     double *theta;           /* [columns of x + 2] what the model gets */
     ms_gpr__ranked *order;   /* [n] */
-    double *work;
-    double mean, unit, floor, floor_value;
+    double *work, unit;
     int soft, scored;
     int expected; /* evaluations, about */
     ms_gpr_fit_report report;
@@ -2427,7 +2250,6 @@ static double ms_gpr__fit_penalty(const ms_gpr__fit *fit, const double *q, doubl
     return sum;
 }
 
-/* Minus the log posterior and its gradient. */
 static int ms_gpr__fit_objective(void *context, const double *q, double *value, double *gradient)
 {
     ms_gpr__fit *fit = (ms_gpr__fit *)context;
@@ -2453,43 +2275,47 @@ static int ms_gpr__fit_objective(void *context, const double *q, double *value, 
 
 /* The floor, what scores there are modeled as, and what makes mean 0 and standard deviation 1 of them. 0: all scores
    are equal, and nothing was chosen. */
-static int ms_gpr__fit_scores(ms_gpr__fit *fit, const double *y, int n)
+static int ms_gpr__fit_scores(ms_gpr__fit *fit)
 {
+    ms_gpr_view *data = &fit->data;
+    const double *y = data->y;
+    const int n = data->n;
     double least, largest, sum = 0, sum2 = 0;
     int i, pass, at_floor = 0, has_floor, scored = ms_gpr__score_range(y, n, &least, &largest);
     if (scored == 0) least = largest = 0;
     fit->scored = scored;
     fit->unit = fabs(largest) > 0 ? fabs(largest) : 1;
-    fit->mean = 0.5 * (least + largest);
+    data->mean = 0.5 * (least + largest);
     for (i = 0; i < n; ++i) at_floor += ms_gpr__scored(y[i]) && y[i] <= least;
     has_floor = fit->o.floor || (at_floor >= 2 && 8.0 * at_floor >= scored && at_floor < scored);
-    fit->floor = fit->floor_value = has_floor ? fit->o.floor ? *fit->o.floor : least : 0;
-    if (scored > 0 && has_floor && largest <= fit->floor) { /* nothing above it: a flat model there */
-        fit->unit = fabs(fit->floor) > 0 ? fabs(fit->floor) : 1;
-        fit->mean = fit->floor_value = fit->floor - 1e-9 * fit->unit;
-        return fit->o.choices.count > 0;
+    data->floor = data->floor_value = has_floor ? fit->o.floor ? *fit->o.floor : least : 0;
+    if (scored > 0 && has_floor && largest <= data->floor) { /* nothing above it: a flat model there */
+        fit->unit = fabs(data->floor) > 0 ? fabs(data->floor) : 1;
+        data->mean = data->floor_value = data->floor - 1e-9 * fit->unit;
+        return data->choices.count > 0;
     }
-    if (!(largest - least > 1e-12 * (fabs(largest) + fabs(least)))) return fit->o.choices.count > 0;
+    if (!(largest - least > 1e-12 * (fabs(largest) + fabs(least)))) return data->choices.count > 0;
     for (pass = 0; pass < 2; ++pass) { /* of the scores (at most at the floor), then of what they are modeled as */
         for (i = 0, sum = sum2 = 0; i < n; ++i)
-            if (ms_gpr__scored(y[i])) sum += (has_floor && y[i] <= fit->floor ? fit->floor_value : y[i]) / scored;
+            if (ms_gpr__scored(y[i])) sum += (has_floor && y[i] <= data->floor ? data->floor_value : y[i]) / scored;
         for (i = 0; i < n; ++i) {
-            double d = (has_floor && y[i] <= fit->floor ? fit->floor_value : y[i]) - sum;
+            double d = (has_floor && y[i] <= data->floor ? data->floor_value : y[i]) - sum;
             if (ms_gpr__scored(y[i])) sum2 += d * d / scored;
         }
-        if (pass == 0 && has_floor) fit->floor_value -= MS_GPR__FLOOR_OFFSET * sqrt(sum2);
+        if (pass == 0 && has_floor) data->floor_value -= MS_GPR__FLOOR_OFFSET * sqrt(sum2);
     }
-    fit->mean = sum;
+    data->mean = sum;
     fit->unit = sqrt(sum2);
     return 1;
 }
 
 /* Centers and widths of the columns that are not constant, but for rounding. */
-static ms_status ms_gpr__fit_columns(ms_gpr__fit *fit, const double *x, int n, int m, ms_error *error)
+static ms_status ms_gpr__fit_columns(ms_gpr__fit *fit, ms_error *error)
 {
+    const int n = fit->data.n, m = fit->data.m;
     int i, k;
     for (k = 0, fit->m = 0; k < m; ++k) {
-        const double *v = x ? x + k : NULL;
+        const double *v = fit->data.x ? fit->data.x + k : NULL;
         double least = HUGE_VAL, largest = -HUGE_VAL, sum = 0, sum2 = 0;
         for (i = 0; i < n; ++i) {
             double value = v[(size_t)i * (size_t)m];
@@ -2514,12 +2340,13 @@ static ms_status ms_gpr__fit_columns(ms_gpr__fit *fit, const double *x, int n, i
 
 /* The rows of the problem. The first `part` are a part of the scores that stands for all: the better half of it is the
    best of all, the rest comes evenly from what is left. */
-static void ms_gpr__fit_rows(ms_gpr__fit *fit, const double *x, const double *y, int n, int m)
+static void ms_gpr__fit_rows(ms_gpr__fit *fit)
 {
+    const ms_gpr_view *data = &fit->data;
+    const double *y = data->y;
+    const int n = data->n;
     ms_gpr__problem *p = &fit->problem;
     int best = fit->part / 2, even = fit->part - best, left = n - best, i, k;
-    ms_gpr__problem_clear(p, &fit->o.choices);
-    p->m = fit->m;
     for (i = 0; i < n; ++i) {
         fit->order[i].index = i;
         fit->order[i].value = y[i];
@@ -2534,19 +2361,17 @@ static void ms_gpr__fit_rows(ms_gpr__fit *fit, const double *x, const double *y,
         }
     }
     for (i = 0; i < n; ++i) {
-        int row = fit->order[i].index;
+        const int row = fit->order[i].index;
+        const double *x = data->x + (size_t)row * (size_t)data->m;
         for (k = 0; k < fit->m; ++k)
-            fit->columns[(size_t)k * p->stride + (size_t)i] = (x[(size_t)row * (size_t)m + (size_t)fit->column[k]] -
-                                                               fit->center[k]) /
-                fit->width[k];
+            fit->columns[(size_t)k * p->stride + (size_t)i] = (x[fit->column[k]] - fit->center[k]) / fit->width[k];
+        p->target[i] = MS_GPR_UNSCORED;
         if (ms_gpr__scored(y[row]))
-            p->target[i] = (ms_gpr__modeled(y[row], fit->floor, fit->floor_value) - fit->mean) / fit->unit;
-        if (fit->soft) p->scored[i] = (char)ms_gpr__scored(y[row]);
+            p->target[i] = (ms_gpr__modeled(y[row], data->floor, data->floor_value) - data->mean) / fit->unit;
     }
 }
 
-/* Priors, bounds, and where the searches start; columns: of x. */
-static void ms_gpr__fit_starts(ms_gpr__fit *fit, int columns)
+static void ms_gpr__fit_starts(ms_gpr__fit *fit)
 {
     static const double lengths[MS_GPR__STARTS] = {0.25, 0.5, 3}; /* widths, times sqrt(m) */
     const double *start = fit->o.start;
@@ -2567,8 +2392,8 @@ static void ms_gpr__fit_starts(ms_gpr__fit *fit, int columns)
     for (i = 0; i < fit->starts; ++i) {
         double *q = fit->q + i * (m + 2);
         for (k = 0; k < m; ++k) q[k] = start ? start[fit->column[k]] - log(fit->width[k]) : log(lengths[i] * root);
-        q[m] = start ? start[columns] - log(fit->unit) : 0;
-        q[m + 1] = start ? start[columns + 1] - log(fit->unit) : -2.302585092994046; /* log 0.1 */
+        q[m] = start ? start[fit->data.m] - log(fit->unit) : 0;
+        q[m + 1] = start ? start[fit->data.m + 1] - log(fit->unit) : -2.302585092994046; /* log 0.1 */
     }
 }
 
@@ -2577,7 +2402,7 @@ static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
 {
     ms_gpr__minimum found;
     ms_gpr__search s;
-    int n = fit->n;
+    int n = fit->data.n;
     memset(&s, 0, sizeof s);
     s.f = ms_gpr__fit_objective;
     s.context = fit;
@@ -2588,7 +2413,7 @@ static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
     s.tolerance = 1e-4;
     s.evaluations = fit->o.evaluations;
     fit->problem.n = fit->part;
-    found = ms_gpr__minimize_starts(&s, fit->q, fit->starts, MS_GPR__TRIAL, fit->work, &fit->report.start);
+    found = ms_gpr__minimize_starts(&s, fit->q, fit->starts, MS_GPR__TRIAL, fit->work);
     fit->problem.n = n;
     if (found.stopped || fit->part == n) return found;
     s.tolerance = 0.1; /* of a log posterior: what is below it changes no prediction */
@@ -2598,46 +2423,56 @@ static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
 
 /* How many scores the starts run on, in whole blocks; n: all, where they are few or have choices. Below 200 scores a
    part loses; at 300 it is six times faster, at the same divergence. */
-static int ms_gpr__fit_part(const ms_gpr__fit *fit, int n, int m)
+static int ms_gpr__fit_part(const ms_gpr__fit *fit)
 {
+    const int n = fit->data.n, m = fit->data.m;
     int least = 4 * m > MS_GPR__PART ? 4 * m : MS_GPR__PART, part = n / 3;
     if (fit->starts == 1 || fit->soft || n / 2 < least) return n;
     part = part < least ? least : part > 400 ? 400 : part;
     return ms_gpr__padded(part) < n ? ms_gpr__padded(part) : n;
 }
 
-static void ms_gpr__fit_layout(ms_gpr__fit *fit, int n, int m, ms__arena *arena)
+/* The checks and the arrays, in memory that is to be released whatever is returned. */
+static ms_status ms_gpr__fit_begin(ms_gpr__fit *fit, ms_gpr__memory *memory, ms_error *error)
 {
-    size_t row = (size_t)m + 2;
-    ms_gpr__problem_layout(&fit->problem, ms_gpr__kernels_of(ms_gpr__simd_pick(fit->o.simd)), n, m, fit->soft,
-                           &fit->o.choices, arena);
-    fit->columns = ms_gpr__take(arena, (size_t)m, ms_gpr__stride(n));
-    fit->work = ms_gpr__take(arena, ms_gpr__minimize_doubles(m + 2), 1);
-    fit->q = ms_gpr__take(arena, row, (size_t)fit->starts);
-    fit->low = ms_gpr__take(arena, row, 1);
-    fit->high = ms_gpr__take(arena, row, 1);
-    fit->prior = ms_gpr__take(arena, row, 1);
-    fit->spread = ms_gpr__take(arena, row, 1);
-    fit->width = ms_gpr__take(arena, row, 1);
-    fit->center = ms_gpr__take(arena, row, 1);
-    fit->theta = ms_gpr__take(arena, row, 1);
-    fit->column = (int *)ms__take(arena, row, sizeof(int));
-    fit->order = (ms_gpr__ranked *)ms__take(arena, (size_t)n, sizeof *fit->order);
+    const ms_gpr_view *data = &fit->data;
+    const size_t m = (size_t)data->m, row = m + 2;
+    const ms_gpr__kernels *kernels = ms_gpr__kernels_of(ms_gpr__simd_pick(fit->o.simd));
+    ms_status status = ms_gpr__check_parts(data, error);
+    int i;
+    if (status == MS_OK && fit->o.floor)
+        status = ms_gpr__check_range("floor", *fit->o.floor, -MS_GPR__LARGEST, MS_GPR__LARGEST, error);
+    if (status == MS_OK) status = ms_gpr__check_range("evaluations", fit->o.evaluations, 0, MS_GPR__INT_MAX, error);
+    if (status != MS_OK) return status;
+    if (fit->o.evaluations == 0) fit->o.evaluations = 200;
+    fit->soft = data->choices.count > 0;
+    for (i = 0; i < data->n; ++i) fit->soft |= !ms_gpr__scored(data->y[i]);
+    fit->starts = fit->o.start ? 1 : (int)MS_GPR__STARTS;
+    fit->expected = 30 * fit->starts + fit->o.evaluations / 2;
+    fit->part = ms_gpr__fit_part(fit);
+    ms_gpr__problem_make(&fit->problem, kernels, data->n, data->m, fit->soft, &data->choices, memory);
+    fit->columns = ms_gpr__take(memory, m, ms_gpr__stride(data->n));
+    fit->work = ms_gpr__take(memory, ms_gpr__minimize_doubles(data->m + 2), 1);
+    fit->q = ms_gpr__take(memory, row, (size_t)fit->starts);
+    ms_gpr__take_each(memory, row, 7, &fit->low, &fit->high, &fit->prior, &fit->spread, &fit->width, &fit->center,
+                      &fit->theta);
+    fit->column = (int *)ms_gpr__take_bytes(memory, row, sizeof(int));
+    fit->order = (ms_gpr__ranked *)ms_gpr__take_bytes(memory, (size_t)data->n, sizeof *fit->order);
+    return ms_gpr__taken(memory, "a fit", error);
 }
 
-/* Rows, starts, search; then theta from what was found. */
-static ms_status ms_gpr__fit_run(ms_gpr__fit *fit, const double *x, const double *y, int n, int m, ms_error *error)
+static ms_status ms_gpr__fit_run(ms_gpr__fit *fit, ms_error *error)
 {
     ms_gpr__minimum found;
-    ms_status status = ms_gpr__fit_columns(fit, x, n, m, error);
-    int differ = ms_gpr__fit_scores(fit, y, n), k;
+    ms_status status = ms_gpr__fit_columns(fit, error);
+    int differ = ms_gpr__fit_scores(fit), m = fit->data.m, k;
     if (status == MS_OK && differ && fit->unit < 1 / MS_GPR__LARGEST)
         status = ms__fail(error, MS_BAD_DATA, 0, "the scores span about %g: expected more than %g; scale them",
                           fit->unit, 1 / MS_GPR__LARGEST);
     if (status != MS_OK) return status;
-    fit->report.columns = fit->m;
-    ms_gpr__fit_rows(fit, x, y, n, m);
-    ms_gpr__fit_starts(fit, m);
+    ms_gpr__fit_rows(fit);
+    ms_gpr__fit_starts(fit);
+    fit->problem.m = fit->m;
     memset(&found, 0, sizeof found);
     if (differ && fit->m > 0) found = ms_gpr__fit_search(fit);
     else if (fit->starts > 2) memcpy(fit->q, fit->q + 2 * (fit->m + 2), ((size_t)fit->m + 2) * sizeof *fit->q);
@@ -2647,139 +2482,46 @@ static ms_status ms_gpr__fit_run(ms_gpr__fit *fit, const double *x, const double
     for (k = 0; k < m; ++k) fit->theta[k] = MS_GPR__DROPPED;
     for (k = 0; k < fit->m; ++k) fit->theta[fit->column[k]] = fit->q[k] + log(fit->width[k]);
     for (k = 0; k < 2; ++k) fit->theta[m + k] = fit->q[fit->m + k] + log(fit->unit);
+    fit->data.theta = fit->theta;
     return MS_OK;
-}
-
-/* --- what the answers say about each other --- */
-
-/* Whether up to MS_GPR__OUTLIER_GROUP scores lie far outside the range of all others, above (sign 1) or below it (-1).
- */
-static int ms_gpr__fit_outside(const ms_gpr__ranked *sorted, int count, double sign)
-{
-    int group;
-    for (group = 1; group <= MS_GPR__OUTLIER_GROUP && group < count - 1; ++group) {
-        double edge = sign * sorted[sign > 0 ? group : count - 1 - group].value;
-        double extreme = sign * sorted[sign > 0 ? group - 1 : count - group].value;
-        double other = sign * sorted[sign > 0 ? count - 1 : 0].value;
-        if (extreme - edge > MS_GPR__OUTLIER_RANGES * (edge - other)) return 1;
-    }
-    return 0;
-}
-
-/* Leaving out one score at a time: the share of their variance that the others predict, and the score that they
-   contradict most. It is an outlier if a few that are contradicted so much stand apart from the rest, or if it is far
-   outside the range of the others. */
-static void ms_gpr__fit_criticize(ms_gpr__fit *fit, const ms_gpr *gp)
-{
-    ms_gpr_outlier *o = &fit->report.outlier;
-    double *residual = fit->problem.target, *variance = fit->problem.weight, sum = 0, sum2 = 0, unexplained = 0;
-    double least, largest, factor, z[MS_GPR__OUTLIER_GROUP + 2];
-    int scored = ms_gpr__score_range(gp->y, gp->n, &least, &largest), count = 0, above = 0, apart = 0, row, i;
-    if (scored < MS_GPR__OUTLIER_ROWS || !(largest > least)) return;
-    ms_gpr__leave_one_out(gp, fit->problem.inverse, residual, variance);
-    for (i = 0; i < gp->n; ++i) {
-        if (!ms_gpr__scored(gp->y[i])) continue;
-        sum += ms_gpr__target(gp, i) / scored;
-        unexplained += residual[i] * residual[i];
-        above += gp->y[i] > least;
-    }
-    for (i = 0; i < gp->n; ++i)
-        if (ms_gpr__scored(gp->y[i])) sum2 += (ms_gpr__target(gp, i) - sum) * (ms_gpr__target(gp, i) - sum);
-    factor = scored / (scored - 1.0); /* the mean of the others is as far off as that */
-    fit->report.explained = 1 - unexplained / (factor * factor * sum2);
-
-    /* the most contradicted, and whether a group of them stands apart */
-    for (i = 0; i < gp->n; ++i) {
-        if (!ms_gpr__scored(gp->y[i])) continue;
-        fit->order[count].index = i;
-        fit->order[count++].value = fabs(residual[i]) / sqrt(variance[i]);
-    }
-    ms_gpr__ranked_sort(fit->order, count);
-    row = fit->order[0].index;
-    for (i = 0; i < MS_GPR__OUTLIER_GROUP + 2 && i < count; ++i) z[i] = fit->order[i].value;
-    for (i = 0; i < MS_GPR__OUTLIER_GROUP && i + 1 < count; ++i)
-        apart |= z[i] > MS_GPR__OUTLIER_DEVIATIONS && z[i] > 2 * z[i + 1] && above > 4 + i;
-
-    /* scores far outside the range of the others */
-    for (i = 0; i < count; ++i) fit->order[i].value = gp->y[fit->order[i].index];
-    ms_gpr__ranked_sort(fit->order, count);
-    if (above > 2 && ms_gpr__fit_outside(fit->order, count, 1)) apart = 1, row = fit->order[0].index;
-    else if (ms_gpr__fit_outside(fit->order, count, -1)) apart = 1, row = fit->order[count - 1].index;
-    if (!apart) return;
-    least = fit->order[count - 1].index == row ? fit->order[count - 2].value : fit->order[count - 1].value;
-    largest = fit->order[0].index == row ? fit->order[1].value : fit->order[0].value;
-    o->row = row;
-    o->value = gp->y[row];
-    o->expected = fmin(fmax(gp->mean + ms_gpr__target(gp, row) - residual[row], least), largest);
-    o->deviation = (o->value - o->expected) / sqrt(variance[row]);
 }
 
 MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options,
                             ms_gpr **out, ms_gpr_fit_report *report, ms_error *error)
 {
+    ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
     ms_gpr__fit fit;
-    ms__arena arena = {NULL, 0};
+    ms_gpr_options o;
     ms_status status;
-    int i;
     if (out == NULL) return ms_gpr__null("out", error);
     *out = NULL;
     memset(&fit, 0, sizeof fit);
     if (options) fit.o = *options;
-    fit.report.outlier.row = -1;
-    status = ms_gpr__check_data(x, y, n, m, error);
-    if (status == MS_OK && fit.o.floor)
-        status = ms_gpr__check_range("floor", *fit.o.floor, -MS_GPR__LARGEST, MS_GPR__LARGEST, error);
-    if (status == MS_OK) status = ms_gpr__check_range("evaluations", fit.o.evaluations, 0, MS_GPR__INT_MAX, error);
-    if (status == MS_OK && fit.o.start) status = ms_gpr__check_theta(fit.o.start, m, error);
-    if (status == MS_OK) status = ms_gpr__check_choices(&fit.o.choices, n, &fit.o.allocator, error);
-    if (status != MS_OK) return status;
-    if (fit.o.evaluations == 0) fit.o.evaluations = 200;
-    fit.n = n;
-    fit.soft = fit.o.choices.count > 0;
-    for (i = 0; i < n; ++i) fit.soft |= !ms_gpr__scored(y[i]);
-    fit.starts = fit.o.start ? 1 : (int)MS_GPR__STARTS;
-    fit.expected = 30 * fit.starts + fit.o.evaluations / 2;
-    fit.part = ms_gpr__fit_part(&fit, n, m);
-    ms_gpr__fit_layout(&fit, n, m, &arena);
-    if (!ms_gpr__place(&fit.o.allocator, &arena))
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to fit %d points of %d dimensions", n, m);
-    ms_gpr__fit_layout(&fit, n, m, &arena);
-    status = ms_gpr__fit_run(&fit, x, y, n, m, error);
-    if (status == MS_OK) {
-        ms_gpr_view parts;
-        ms_gpr_options o;
-        memset(&parts, 0, sizeof parts);
-        memset(&o, 0, sizeof o);
-        parts.n = n;
-        parts.m = m;
-        parts.x = x;
-        parts.y = y;
-        parts.theta = fit.theta;
-        parts.choices = fit.o.choices;
-        parts.mean = fit.mean;
-        parts.floor = fit.floor;
-        parts.floor_value = fit.floor_value;
-        o.simd = fit.o.simd;
-        o.allocator = fit.o.allocator;
-        o.parallel = fit.o.parallel;
-        status = ms_gpr__make(&parts, &o, out, error);
-    }
+    fit.data.n = n;
+    fit.data.m = m;
+    fit.data.x = x;
+    fit.data.y = y;
+    fit.data.theta = fit.o.start;
+    fit.data.choices = fit.o.choices;
+    memory.allocator = o.allocator = fit.o.allocator;
+    o.simd = fit.o.simd;
+    o.parallel = fit.o.parallel;
+    status = ms_gpr__fit_begin(&fit, &memory, error);
+    if (status == MS_OK) status = ms_gpr__fit_run(&fit, error);
+    if (status == MS_OK) status = ms_gpr__make(&fit.data, &o, NULL, out, error);
     if (status == MS_OK && report) {
-        ms_gpr__fit_criticize(&fit, *out);
         *report = fit.report;
         report->likelihood = (*out)->likelihood;
         report->objective += report->likelihood;
     }
-    ms_gpr__release(&fit.o.allocator, arena.base);
+    ms_gpr__release(&memory);
     return status;
 }
 
 /* ---- search ---------------------------------------------------------------------------------------------------- */
 
 /* A stream of random numbers of its own for every seed and stream: splitmix64 (Steele, Lea & Flood 2014). */
-typedef struct ms_gpr__random {
-    uint64_t state;
-} ms_gpr__random;
+typedef uint64_t ms_gpr__random;
 
 static uint64_t ms_gpr__mix(uint64_t z)
 {
@@ -2790,19 +2532,15 @@ static uint64_t ms_gpr__mix(uint64_t z)
 
 static ms_gpr__random ms_gpr__random_make(uint64_t seed, uint64_t stream)
 {
-    ms_gpr__random random;
-    random.state = ms_gpr__mix(seed + 0x9e3779b97f4a7c15u * ms_gpr__mix(stream + 0x9e3779b97f4a7c15u));
-    return random;
+    return ms_gpr__mix(seed + 0x9e3779b97f4a7c15u * ms_gpr__mix(stream + 0x9e3779b97f4a7c15u));
 }
 
 /* Uniform in the open interval (0, 1), 52 bits. */
 static double ms_gpr__uniform(ms_gpr__random *random)
 {
-    uint64_t z = ms_gpr__mix(random->state += 0x9e3779b97f4a7c15u);
+    uint64_t z = ms_gpr__mix(*random += 0x9e3779b97f4a7c15u);
     return ((double)(z >> 12) + 0.5) * (1.0 / 4503599627370496.0);
 }
-
-static double ms_gpr__clamp(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
 
 /* --- box --- */
 
@@ -2839,13 +2577,10 @@ static void ms_gpr__natural_range(const double *x, int n, int m, int k, double *
 /* A ms_gpr_space made ready: a material in the box has a point in the unit box. */
 typedef struct ms_gpr__box {
     int m;
-    double *low, *high, *width, *per; /* [m] in units of x, in one block; per: 1 / width or 0 */
+    double *low, *high, *width, *per; /* [m] in units of x; per: 1 / width or 0 */
     void (*snap)(void *user, double *x);
     void *user;
-    ms_allocator allocator;
 } ms_gpr__box;
-
-static void ms_gpr__box_free(ms_gpr__box *box) { ms_gpr__release(&box->allocator, box->low); }
 
 /* wish[k], where it is given and not infinite. */
 static double ms_gpr__bound(const double *wish, int k, double sign, double otherwise)
@@ -2853,37 +2588,31 @@ static double ms_gpr__bound(const double *wish, int k, double sign, double other
     return wish == NULL || (!ms__finite(wish[k]) && sign * wish[k] > 0) ? otherwise : wish[k];
 }
 
-/* x [n][m]: what the box is made of where the space has none. On success to be freed. */
-static ms_status ms_gpr__box_make(const double *x, int n, int m, const ms_gpr_space *space,
-                                  const ms_allocator *allocator, ms_gpr__box *box, ms_error *error)
+/* x [n][m]: what the box is made of where the space has none. */
+static ms_status ms_gpr__box_make(const double *x, int n, int m, const ms_gpr_space *space, ms_gpr__memory *memory,
+                                  ms_gpr__box *box, ms_error *error)
 {
+    ms_status status;
     int k;
-    memset(box, 0, sizeof *box);
     box->m = m;
     box->snap = space->snap;
     box->user = space->user;
-    box->allocator = *allocator;
-    box->low = ms_gpr__scratch(allocator, ms__size_mul(4, (size_t)m));
-    if (box->low == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the box of %d parameters", m);
-    box->high = box->low + m;
-    box->width = box->high + m;
-    box->per = box->width + m;
-    for (k = 0; k < m; ++k) {
+    ms_gpr__take_each(memory, (size_t)m, 4, &box->low, &box->high, &box->width, &box->per);
+    status = ms_gpr__taken(memory, "a box", error);
+    for (k = 0; k < m && status == MS_OK; ++k) {
         double low, high, limit = MS_GPR__LARGEST;
         ms_gpr__natural_range(x, n, m, k, &low, &high);
         low = ms_gpr__bound(space->low, k, -1, low);
         high = ms_gpr__bound(space->high, k, 1, high);
-        if (!ms__finite(low) || !ms__finite(high) || !(fabs(low) <= limit) || !(fabs(high) <= limit) || high < low) {
-            ms_gpr__box_free(box);
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the box of dimension %d is [%g, %g]: expected low <= high",
-                            k, low, high);
-        }
+        if (!ms__finite(low) || !ms__finite(high) || !(fabs(low) <= limit) || !(fabs(high) <= limit) || high < low)
+            status = ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                              "the box of dimension %d is [%g, %g]: expected low <= high", k, low, high);
         box->low[k] = low;
         box->high[k] = high;
         box->width[k] = high - low;
         box->per[k] = high > low ? 1 / (high - low) : 0;
     }
-    return MS_OK;
+    return status;
 }
 
 /* The material at a point of the unit box, snapped. */
@@ -2915,11 +2644,12 @@ typedef struct ms_gpr__source {
     int liked;       /* rows above the floor */
     double *parents; /* [n] how likely each row is to be a parent, see ms_gpr__source_breed */
     double parents_sum;
-    double *point; /* [m] scratch */
+    double *point, *scaled, *covariance; /* scratch: [m], [m], [stride] */
 } ms_gpr__source;
 
-/* On success the box is to be freed. */
-static ms_status ms_gpr__source_make(ms_gpr__source *s, const ms_gpr *gp, const ms_gpr_space *space, ms_error *error)
+/* Its arrays, in memory that is to be released whatever is returned. */
+static ms_status ms_gpr__source_make(ms_gpr__source *s, const ms_gpr *gp, const ms_gpr_space *space,
+                                     ms_gpr__memory *memory, ms_error *error)
 {
     int i;
     s->gp = gp;
@@ -2928,13 +2658,10 @@ static ms_status ms_gpr__source_make(ms_gpr__source *s, const ms_gpr *gp, const 
         s->liked += gp->value[i] > s->floor;
         s->top = fmax(s->top, gp->value[i]);
     }
-    return ms_gpr__box_make(gp->x, gp->n, gp->m, space, &gp->allocator, &s->box, error);
-}
-
-static void ms_gpr__source_layout(ms_gpr__source *s, ms__arena *arena)
-{
-    s->parents = ms_gpr__take(arena, (size_t)s->gp->n, 1);
-    s->point = ms_gpr__take(arena, (size_t)s->gp->m, 1);
+    s->parents = ms_gpr__take(memory, gp->stride, 1);
+    ms_gpr__take_each(memory, (size_t)gp->m, 2, &s->point, &s->scaled);
+    s->covariance = ms_gpr__take(memory, gp->stride, 1);
+    return ms_gpr__box_make(gp->view.x, gp->n, gp->m, space, memory, &s->box, error);
 }
 
 /* How likely each material is to be a parent of variants: its score above the floor, shared with those liked ones that
@@ -2942,20 +2669,14 @@ static void ms_gpr__source_layout(ms_gpr__source *s, ms__arena *arena)
 static void ms_gpr__source_breed(ms_gpr__source *s)
 {
     const ms_gpr *gp = s->gp;
-    int i, j, k;
+    int i, j;
     s->parents_sum = 0;
     for (i = 0; i < gp->n; ++i) {
         double crowd = 0;
-        for (j = 0; j < gp->n && gp->value[i] > s->floor; ++j) {
-            double d2 = 0;
-            if (!(gp->value[j] > s->floor)) continue;
-            for (k = 0; k < gp->active; ++k) {
-                const double *row = gp->points + (size_t)k * gp->stride;
-                d2 += (row[i] - row[j]) * (row[i] - row[j]);
-            }
-            crowd += exp(-0.5 * d2);
-        }
-        s->parents[i] = gp->value[i] > s->floor ? (gp->value[i] - s->floor) / crowd : 0;
+        if (!(gp->value[i] > s->floor)) continue;
+        ms_gpr__covariances(gp, gp->view.x + (size_t)i * (size_t)gp->m, s->scaled, s->covariance);
+        for (j = 0; j < gp->n; ++j) crowd += gp->value[j] > s->floor ? s->covariance[j] : 0;
+        s->parents[i] = (gp->value[i] - s->floor) / crowd;
         s->parents_sum += s->parents[i];
     }
 }
@@ -2984,7 +2705,7 @@ static void ms_gpr__source_vary(const ms_gpr__source *s, double share, ms_gpr__r
     for (k = 0; k < m; ++k) {
         const int from = parent[crossed && ms_gpr__uniform(random) < 0.5];
         if (ms_gpr__uniform(random) < share || k == anew) continue;
-        point[k] = (s->gp->x[(size_t)from * (size_t)m + (size_t)k] - s->box.low[k]) * s->box.per[k];
+        point[k] = (s->gp->view.x[(size_t)from * (size_t)m + (size_t)k] - s->box.low[k]) * s->box.per[k];
         point[k] = ms_gpr__clamp(point[k], 0, 1);
     }
 }
@@ -3016,127 +2737,71 @@ enum {
     MS_GPR__CLIMB = 5,      /* steps along every axis of the climb to the largest mean */
     MS_GPR__BEST_OF = 10    /* variants of which the one with the largest mean is taken */
 };
+static const double MS_GPR__AVOID = 0.15; /* see ms_gpr_recommend_options */
 static const double MS_GPR__REACH = 3.0;  /* length scales that a slice is long, at most */
 static const int MS_GPR__REFUSED = 20000; /* candidates in a row that were known or to be avoided, at most */
 /* Mean sigma of recommendations over (best - floor) from which on variants are recommended in their place. Below it,
    true scores of 57 persons were at least what was predicted; from here on they fell short, by half at 0.16. */
 static const double MS_GPR__DOUBT = 0.1;
 
-/* The recommendations so far, all different. */
-typedef struct ms_gpr__found {
-    int count, taken;     /* wanted; found */
-    double *x;            /* [count][m] */
-    int all_new;          /* no two candidates are equal: something is continuous, and there is no snap */
-    int refused, avoided; /* candidates in a row that were equal to one of x, or to be avoided; the latter alone */
-} ms_gpr__found;
-
-/* A chain of slice sampling, and the line that it moves along. */
 typedef struct ms_gpr__chain {
-    double *point;            /* [m] in the unit box */
-    double *direction;        /* [m] in widths of the box */
-    double *scaled, *step;    /* [m] both of them in length scales, by column in use */
-    double *trial, *material; /* [m] */
-    double *d2, *slope;       /* [stride] see ms_gpr__chain_face */
-    double *snapped;          /* [stride] squared distances of a snapped material */
-    double shift, curvature;
+    double *point;    /* [m] in the unit box; with a snap, anywhere in it */
+    double *material; /* [m] the allowed material there, of which the mean is taken */
+    double *scaled;   /* [m] it in length scales, by column in use */
+    double *d2;       /* [stride] its squared distances from the training points, less `shift`; with a snap scratch */
+    double shift;
     double level; /* least mean of a place to move to */
     int climbs;   /* the level rises to the mean of every such place */
-    int moved;    /* is not where it started */
     ms_gpr__random random;
 } ms_gpr__chain;
 
 typedef struct ms_gpr__sampler {
     ms_gpr__source source;
     ms_gpr_recommend_options o; /* with the defaults filled in */
-    ms_gpr__found found;
+    int count, taken;           /* wanted; found, all different */
+    double *x;                  /* [count][m] */
+    double least;               /* of their means */
+    int refused, avoided;   /* candidates in a row that were equal to one of x, or to be avoided; the latter alone */
     double threshold;       /* what recommendations reach */
     double *candidate;      /* [PILOT + n + 1][m] in units of x */
     double *mean;           /* [PILOT + n + 1] */
     ms_gpr__ranked *ranked; /* [WAVE BEST_OF] */
     double *seed;           /* [SEEDS][m] where chains start, in the unit box */
     int seeds;
-    int *axis, axes;         /* [m] columns that slices go along */
-    double *reach;           /* [m] a length scale, at most 0.3; 0: not an axis */
-    uint64_t first;          /* number of the wave's first chain */
-    int moved[MS_GPR__WAVE]; /* of its chains */
+    int *axis, *use, axes; /* [m] columns that slices go along; which of those in use each is */
+    uint64_t first;        /* number of the wave's first chain */
     ms_gpr__chain chain[MS_GPR__TASKS];
     ms_gpr_recommend_report report;
 } ms_gpr__sampler;
 
-/* Squared root-mean-square distance, in widths of the box, of x to the nearest of `count` rows. */
-static double ms_gpr__nearest2(const ms_gpr__box *box, const double *rows, int count, const double *x)
+/* Whether x is nearer than MS_GPR__AVOID to one of `count` rows. */
+static int ms_gpr__avoided(const ms_gpr__box *box, const double *rows, int count, const double *x)
 {
-    double nearest = 1e300;
     int i, k;
     for (i = 0; i < count; ++i, rows += box->m) {
         double sum = 0;
-        for (k = 0; k < box->m && sum < nearest; ++k) {
-            double d = (rows[k] - x[k]) * box->per[k];
-            sum += d * d;
-        }
-        if (sum < nearest) nearest = sum;
+        for (k = 0; k < box->m; ++k) sum += (rows[k] - x[k]) * box->per[k] * (rows[k] - x[k]) * box->per[k];
+        if (sum < MS_GPR__AVOID * MS_GPR__AVOID * box->m) return 1;
     }
-    return nearest / box->m;
-}
-
-/* Whether x [m] is among what was found. */
-static int ms_gpr__found_before(const ms_gpr__found *f, const double *x, size_t m)
-{
-    int i;
-    for (i = 0; i < f->taken && !f->all_new; ++i)
-        if (memcmp(f->x + (size_t)i * m, x, m * sizeof *x) == 0) return 1;
     return 0;
 }
 
-/* The next candidate of the sequence. */
-static void ms_gpr__sampler_accept(ms_gpr__sampler *h, const double *x)
+/* The next candidate of the sequence, and its mean. */
+static void ms_gpr__sampler_accept(ms_gpr__sampler *h, const double *x, double mean)
 {
-    ms_gpr__found *f = &h->found;
-    const size_t m = (size_t)h->source.gp->m;
-    const double near2 = h->o.avoid_distance * h->o.avoid_distance;
-    const int avoid = h->o.avoid_count > 0 && ms_gpr__nearest2(&h->source.box, h->o.avoid, h->o.avoid_count, x) < near2;
-    if (f->taken == f->count) return;
-    if (avoid || ms_gpr__found_before(f, x, m)) {
-        ++f->refused;
-        f->avoided += avoid;
-        return;
-    }
-    f->refused = f->avoided = 0;
-    memcpy(f->x + (size_t)f->taken++ * m, x, m * sizeof *x);
-}
-
-/* Between rounds: MS_CANCELLED, or MS_NOT_CONVERGED where candidates are refused all the time. */
-static ms_status ms_gpr__sampler_go_on(const ms_gpr__sampler *h)
-{
-    const ms_progress *progress = &h->o.progress;
-    if (h->found.taken == h->found.count) return MS_OK;
-    if (h->found.refused > MS_GPR__REFUSED) return MS_NOT_CONVERGED;
-    if (progress->report && progress->report(progress->user, (double)h->found.taken / h->found.count))
-        return MS_CANCELLED;
-    return MS_OK;
+    const size_t size = (size_t)h->source.gp->m * sizeof *x;
+    const int avoid = ms_gpr__avoided(&h->source.box, h->o.avoid, h->o.avoid_count, x);
+    int known = avoid, i;
+    if (h->taken == h->count) return;
+    for (i = 0; i < h->taken && !known; ++i) known = memcmp(h->x + (size_t)(i * h->source.gp->m), x, size) == 0;
+    h->refused = known ? h->refused + 1 : 0;
+    h->avoided = known ? h->avoided + avoid : 0;
+    if (known) return;
+    memcpy(h->x + (size_t)h->taken++ * (size_t)h->source.gp->m, x, size);
+    h->least = fmin(h->least, mean);
 }
 
 /* --- chains: slice sampling (Neal 2003) --- */
-
-/* Along point + t direction, the squared distance from training point i is d2_i + shift + t slope_i + t^2 curvature.
-   With a snap the point stays anywhere in the box, and the mean is that of its material. */
-static void ms_gpr__chain_face(const ms_gpr__sampler *h, ms_gpr__chain *c)
-{
-    const ms_gpr *gp = h->source.gp;
-    double constant = 0;
-    int n = ms_gpr__padded(gp->n), i, k;
-    c->curvature = 0;
-    for (k = 0; k < gp->active; ++k) {
-        const int d = gp->dimension[k];
-        c->step[k] = h->source.box.width[d] * gp->scale[d] * c->direction[d];
-        c->curvature += c->step[k] * c->step[k];
-        constant += 2 * c->step[k] * c->scaled[k];
-    }
-    for (i = 0; i < n; ++i) c->slope[i] = constant;
-    for (k = 0; k < gp->active; ++k)
-        if (c->step[k] < 0 || c->step[k] > 0)
-            gp->kernels->axpy(c->slope, -2 * c->step[k], gp->points + (size_t)k * gp->stride, n);
-}
 
 static void ms_gpr__chain_start(const ms_gpr__sampler *h, ms_gpr__chain *c, uint64_t index)
 {
@@ -3147,84 +2812,63 @@ static void ms_gpr__chain_start(const ms_gpr__sampler *h, ms_gpr__chain *c, uint
     c->random = ms_gpr__random_make(h->o.seed, ((uint64_t)1 << 41) + index);
     c->level = h->threshold;
     c->climbs = 0;
-    c->moved = h->source.box.snap != NULL; /* then equal candidates are refused */
     memcpy(c->point, h->seed + seed * m, m * sizeof *c->point);
-    for (k = 0; k < m && h->source.box.snap == NULL; ++k) { /* a snap may tie dropped columns to others */
-        if (gp->theta[k] < MS_GPR__DROPPED) continue;
-        c->point[k] = ms_gpr__uniform(&c->random);
-        c->moved |= h->source.box.width[k] > 0;
-    }
-    for (k = 0; k < m; ++k) c->material[k] = h->source.box.low[k] + h->source.box.width[k] * c->point[k];
+    for (k = 0; k < m && h->source.box.snap == NULL; ++k) /* a snap may tie dropped columns to others */
+        if (!(gp->view.theta[k] < MS_GPR__DROPPED)) c->point[k] = ms_gpr__uniform(&c->random);
+    ms_gpr__box_material(&h->source.box, c->point, c->material);
     ms_gpr__scale(gp, c->material, c->scaled, 1);
     gp->kernels->distances(c->d2, gp->points, gp->stride, c->scaled, 1, gp->active, ms_gpr__padded(gp->n));
     c->shift = 0;
 }
 
-static void ms_gpr__chain_point(const ms_gpr__chain *c, double t, int m, double *point)
-{
-    int k;
-    for (k = 0; k < m; ++k) {
-        double p = c->point[k] + t * c->direction[k];
-        point[k] = p < 1e-12 ? 0 : p > 1 - 1e-12 ? 1 : p;
-    }
-}
-
-/* Moves by t along the direction if the mean there reaches the threshold. */
-static int ms_gpr__chain_try(const ms_gpr__sampler *h, ms_gpr__chain *c, double t)
+/* Moves to place `to` on an axis if the mean there reaches the level. Where a coordinate s, in length scales, moves by
+   d, the squared distance from training point p grows by d (2 s + d) - 2 d p. */
+static int ms_gpr__chain_try(const ms_gpr__sampler *h, ms_gpr__chain *c, int axis, double to)
 {
     const ms_gpr *gp = h->source.gp;
-    const double ahead = c->shift + t * t * c->curvature;
-    double mean;
-    int n = ms_gpr__padded(gp->n), k;
-    if (h->source.box.snap == NULL) {
-        mean = gp->mean + gp->kernels->line_mean(c->d2, c->slope, t, ahead, gp->weight, n);
+    const ms_gpr__box *box = &h->source.box;
+    const int n = ms_gpr__padded(gp->n), column = h->axis[axis], use = h->use[axis];
+    const double from = c->point[column], *points = gp->points + (size_t)use * gp->stride;
+    const double d = (to - from) * box->width[column] * gp->scale[column];
+    const double ahead = c->shift + d * (2 * c->scaled[use] + d);
+    double mean = gp->view.mean;
+    c->point[column] = to;
+    if (box->snap == NULL) {
+        mean += ms_gpr__sf2(gp) * gp->kernels->line_mean(c->d2, points, -2 * d, ahead, gp->alpha, n);
     } else {
-        ms_gpr__chain_point(c, t, gp->m, c->trial);
-        ms_gpr__box_material(&h->source.box, c->trial, c->material);
-        ms_gpr__scale(gp, c->material, c->trial, 1);
-        gp->kernels->distances(c->snapped, gp->points, gp->stride, c->trial, 1, gp->active, n);
-        mean = gp->mean + gp->kernels->line_mean(c->snapped, c->slope, 0, 0, gp->weight, n);
+        ms_gpr__box_material(box, c->point, c->material);
+        ms_gpr__covariances(gp, c->material, c->scaled, c->d2);
+        mean += gp->kernels->dot(c->d2, gp->alpha, n);
     }
-    if (!(mean >= c->level)) return 0;
+    if (!(mean >= c->level)) {
+        c->point[column] = from;
+        return 0;
+    }
     if (c->climbs) c->level = mean;
-    c->moved = 1;
-    ms_gpr__chain_point(c, t, gp->m, c->point);
-    for (k = 0; k < gp->active; ++k) c->scaled[k] += t * c->step[k];
-    gp->kernels->axpy(c->d2, t, c->slope, n);
+    if (box->snap) return 1;
+    c->scaled[use] += d;
     c->shift = ahead;
+    gp->kernels->axpy(c->d2, -2 * d, points, n);
     return 1;
 }
 
-/* A uniform point of an interval of a random position around the chain, at most `reach` long; while it lies outside
-   the region, the interval shrinks towards the chain. */
-static void ms_gpr__chain_slice(const ms_gpr__sampler *h, ms_gpr__chain *c, double reach)
+/* A uniform place of an interval around the chain along an axis, of a random position and at most REACH length scales
+   long. While it lies outside the region, the interval shrinks towards the chain. */
+static void ms_gpr__chain_slice(const ms_gpr__sampler *h, ms_gpr__chain *c, int axis)
 {
-    double t0 = -reach * ms_gpr__uniform(&c->random), t1 = t0 + reach;
-    int tries, k;
-    for (k = 0; k < h->source.gp->m; ++k) { /* in the box */
-        const double d = c->direction[k];
-        if (!(d < 0 || d > 0)) continue;
-        t0 = fmax(t0, (d > 0 ? -c->point[k] : 1 - c->point[k]) / d);
-        t1 = fmin(t1, (d > 0 ? 1 - c->point[k] : -c->point[k]) / d);
-    }
-    ms_gpr__chain_face(h, c);
+    const int column = h->axis[axis];
+    const double at = c->point[column];
+    const double reach = MS_GPR__REACH * fmin(1 / (h->source.box.width[column] * h->source.gp->scale[column]), 0.3);
+    double low = at - reach * ms_gpr__uniform(&c->random), high = low + reach;
+    int tries;
+    low = fmax(low, 0);
+    high = fmin(high, 1);
     for (tries = 0; tries < 60; ++tries) {
-        double t = t0 + ms_gpr__uniform(&c->random) * (t1 - t0);
-        if (ms_gpr__chain_try(h, c, t)) return;
-        if (t < 0) t0 = t;
-        else t1 = t;
+        double to = low + ms_gpr__uniform(&c->random) * (high - low);
+        if (ms_gpr__chain_try(h, c, axis, to)) return;
+        if (to < at) low = to;
+        else high = to;
     }
-}
-
-/* A slice along axis number `axis`; with every fourth one across all. */
-static void ms_gpr__chain_step(const ms_gpr__sampler *h, ms_gpr__chain *c, int axis)
-{
-    int m = h->source.gp->m, k;
-    for (k = 0; k < m; ++k) c->direction[k] = k == h->axis[axis] ? h->reach[k] : 0;
-    ms_gpr__chain_slice(h, c, MS_GPR__REACH);
-    if (axis % 4 != 0) return;
-    for (k = 0; k < m; ++k) c->direction[k] = h->reach[k] * (2 * ms_gpr__uniform(&c->random) - 1);
-    ms_gpr__chain_slice(h, c, MS_GPR__REACH);
 }
 
 /* Task: candidates task, task + TASKS, ... of a wave: from a seed through a step along every axis, which forget where
@@ -3236,8 +2880,7 @@ static void ms_gpr__chain_run(void *context, int task)
     int i, j;
     for (i = task; i < MS_GPR__WAVE; i += MS_GPR__TASKS) {
         ms_gpr__chain_start(h, c, h->first + (uint64_t)i);
-        for (j = 0; j < h->axes; ++j) ms_gpr__chain_step(h, c, j);
-        h->moved[i] = c->moved;
+        for (j = 0; j < h->axes; ++j) ms_gpr__chain_slice(h, c, j);
         ms_gpr__box_material(&h->source.box, c->point, h->candidate + (size_t)i * (size_t)h->source.gp->m);
     }
 }
@@ -3252,7 +2895,7 @@ static void ms_gpr__chain_climb(ms_gpr__sampler *h, double *x)
     ms_gpr__chain_start(h, c, 0);
     c->climbs = 1;
     c->level = -HUGE_VAL;
-    for (j = 0; j < MS_GPR__CLIMB * h->axes; ++j) ms_gpr__chain_step(h, c, j % h->axes);
+    for (j = 0; j < MS_GPR__CLIMB * h->axes; ++j) ms_gpr__chain_slice(h, c, j % h->axes);
     ms_gpr__box_material(&h->source.box, c->point, x);
     h->seeds = 0;
 }
@@ -3263,7 +2906,7 @@ static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, int *liking, ms_error
     ms_gpr__source *s = &h->source;
     const ms_gpr *gp = s->gp;
     ms_gpr__random random = ms_gpr__random_make(h->o.seed, 0);
-    double best = -HUGE_VAL, top = h->o.best < 0 || h->o.best > 0 ? h->o.best : s->top;
+    double best = -HUGE_VAL, top;
     size_t m = (size_t)gp->m;
     int count = MS_GPR__PILOT + gp->n, hits = 0, top_row = 0, i;
     ms_status status;
@@ -3271,7 +2914,7 @@ static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, int *liking, ms_error
     /* uniform candidates, and the materials that were answered, moved into the box */
     ms_gpr__source_fill(s, 0, 0, 0, &random, MS_GPR__PILOT, h->candidate);
     for (i = 0; i < gp->n; ++i) {
-        ms_gpr__box_point(&s->box, gp->x + (size_t)i * m, s->point);
+        ms_gpr__box_point(&s->box, gp->view.x + (size_t)i * m, s->point);
         ms_gpr__box_material(&s->box, s->point, h->candidate + (size_t)(MS_GPR__PILOT + i) * m);
     }
     status = ms_gpr_predict(gp, h->candidate, count, h->mean, NULL, error);
@@ -3285,23 +2928,22 @@ static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, int *liking, ms_error
     status = ms_gpr_predict(gp, h->candidate + (size_t)count * m, 1, h->mean + count, NULL, error);
     if (status != MS_OK) return status;
     best = fmax(best, h->mean[count++]);
-    top = fmin(top, best);
+    top = fmin(s->top, best);
     *liking = best > s->floor && top > s->floor;
     h->report.liked = s->liked;
     h->report.best = best;
-    h->report.candidates = count;
     h->report.search = MS_GPR_SEARCH_THRESHOLD;
     if (!*liking) return MS_OK;
     h->threshold = fmin(s->floor + h->o.tau * (top - s->floor), best - 1e-6 * (best - s->floor));
     h->report.threshold = h->threshold;
 
     /* chains start from those that reach it: uniform ones, and where these are few all others as well */
-    for (i = 0; i < count && h->seeds < MS_GPR__SEEDS; ++i) {
-        if (i == MS_GPR__PILOT) hits = h->seeds;
+    for (i = 0; i < count; ++i) {
         if (h->mean[i] < h->threshold || (i >= MS_GPR__PILOT && hits >= MS_GPR__SEEDS_FEW)) continue;
+        hits += i < MS_GPR__PILOT;
+        if (h->seeds == MS_GPR__SEEDS) continue;
         ms_gpr__box_point(&s->box, h->candidate + (size_t)i * m, h->seed + (size_t)h->seeds++ * m);
     }
-    for (i = 0, hits = 0; i < MS_GPR__PILOT; ++i) hits += h->mean[i] >= h->threshold;
     h->report.acceptance = (double)hits / (int)MS_GPR__PILOT;
     return MS_OK;
 }
@@ -3324,18 +2966,17 @@ static ms_status ms_gpr__sampler_chains(ms_gpr__sampler *h, ms_error *error)
     ms_status status = MS_OK;
     double doubt;
     int i;
-    for (; status == MS_OK && h->found.taken < h->found.count; h->first += MS_GPR__WAVE) {
-        if (h->seeds == 0 || (double)h->first / 40 > (double)h->found.count + (int)MS_GPR__WAVE)
-            return MS_NOT_CONVERGED;
-        ms__run(&h->source.gp->parallel, MS_GPR__TASKS, ms_gpr__chain_run, h);
+    for (; status == MS_OK && h->taken < h->count; h->first += MS_GPR__WAVE) {
+        if (h->seeds == 0 || (double)h->first / 40 > (double)h->count + (int)MS_GPR__WAVE) return MS_NOT_CONVERGED;
+        ms__run(&h->source.gp->o.parallel, MS_GPR__TASKS, ms_gpr__chain_run, h);
         if (h->first == 0 && h->o.search == MS_GPR_SEARCH_AUTO) {
             status = ms_gpr__sampler_spread(h, &doubt, error);
             if (status != MS_OK || doubt > MS_GPR__DOUBT) return status;
         }
         status = ms_gpr_predict(h->source.gp, h->candidate, MS_GPR__WAVE, h->mean, NULL, error);
         for (i = 0; i < MS_GPR__WAVE && status == MS_OK; ++i) /* but for rounding along a chain */
-            if (h->moved[i] && h->mean[i] >= h->threshold) ms_gpr__sampler_accept(h, h->candidate + (size_t)i * m);
-        if (status == MS_OK) status = ms_gpr__sampler_go_on(h);
+            if (h->mean[i] >= h->threshold) ms_gpr__sampler_accept(h, h->candidate + (size_t)i * m, h->mean[i]);
+        if (h->refused > MS_GPR__REFUSED && status == MS_OK) return MS_NOT_CONVERGED;
     }
     return status;
 }
@@ -3350,234 +2991,158 @@ static ms_status ms_gpr__sampler_variants(ms_gpr__sampler *h, ms_error *error)
     int i;
     h->report.search = MS_GPR_SEARCH_VARIANTS;
     ms_gpr__source_breed(&h->source);
-    for (round = 0; status == MS_OK && h->found.taken < h->found.count; ++round) {
+    for (round = 0; status == MS_OK && h->taken < h->count; ++round) {
         ms_gpr__random random = ms_gpr__random_make(h->o.seed, ((uint64_t)1 << 42) + round);
         ms_gpr__source_fill(&h->source, 1, 0, 0.3, &random, size, h->candidate);
         status = ms_gpr_predict(h->source.gp, h->candidate, size, h->mean, NULL, error);
         if (status != MS_OK) return status;
-        h->report.candidates += size;
         for (i = 0; i < size; ++i) {
             h->ranked[i].index = i;
             h->ranked[i].value = h->mean[i];
         }
         ms_gpr__ranked_sort(h->ranked, size);
-        for (i = 0; i < MS_GPR__WAVE; ++i) ms_gpr__sampler_accept(h, h->candidate + (size_t)h->ranked[i].index * m);
-        status = ms_gpr__sampler_go_on(h);
+        for (i = 0; i < MS_GPR__WAVE; ++i)
+            ms_gpr__sampler_accept(h, h->candidate + (size_t)h->ranked[i].index * m, h->ranked[i].value);
+        if (h->refused > MS_GPR__REFUSED) return MS_NOT_CONVERGED;
     }
     return status;
 }
 
-static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms__arena *arena)
+/* The arrays, and what chains move along: every column with a width; one that is left out only where a snap may tie it
+   to others. */
+static ms_status ms_gpr__sampler_make(ms_gpr__sampler *h, ms_gpr__memory *memory, ms_error *error)
 {
     const ms_gpr *gp = h->source.gp;
-    size_t m = (size_t)gp->m, candidates = (size_t)MS_GPR__PILOT + (size_t)gp->n + 1;
-    int i;
-    ms_gpr__source_layout(&h->source, arena);
-    h->candidate = ms_gpr__take(arena, candidates, m);
-    h->mean = ms_gpr__take(arena, candidates, 1);
-    h->ranked = (ms_gpr__ranked *)ms__take(arena, MS_GPR__WAVE * MS_GPR__BEST_OF, sizeof *h->ranked);
-    h->seed = ms_gpr__take(arena, MS_GPR__SEEDS, m);
-    h->reach = ms_gpr__take(arena, m, 1);
-    h->axis = (int *)ms__take(arena, m, sizeof(int));
+    const size_t m = (size_t)gp->m, candidates = (size_t)MS_GPR__PILOT + (size_t)gp->n + 1;
+    ms_status status;
+    int use = 0, i, k;
+    h->candidate = ms_gpr__take(memory, candidates, m);
+    h->mean = ms_gpr__take(memory, candidates, 1);
+    h->ranked = (ms_gpr__ranked *)ms_gpr__take_bytes(memory, MS_GPR__WAVE * MS_GPR__BEST_OF, sizeof *h->ranked);
+    h->seed = ms_gpr__take(memory, MS_GPR__SEEDS, m);
+    h->axis = (int *)ms_gpr__take_bytes(memory, m, sizeof(int));
+    h->use = (int *)ms_gpr__take_bytes(memory, m, sizeof(int));
     for (i = 0; i < MS_GPR__TASKS; ++i) {
         ms_gpr__chain *c = &h->chain[i];
-        c->point = ms_gpr__take(arena, m, 1);
-        c->direction = ms_gpr__take(arena, m, 1);
-        c->scaled = ms_gpr__take(arena, m, 1);
-        c->step = ms_gpr__take(arena, m, 1);
-        c->trial = ms_gpr__take(arena, m, 1);
-        c->material = ms_gpr__take(arena, m, 1);
-        c->d2 = ms_gpr__take(arena, gp->stride, 1);
-        c->slope = ms_gpr__take(arena, gp->stride, 1);
-        c->snapped = ms_gpr__take(arena, gp->stride, 1);
+        ms_gpr__take_each(memory, m, 3, &c->point, &c->material, &c->scaled);
+        c->d2 = ms_gpr__take(memory, gp->stride, 1);
     }
+    status = ms_gpr__taken(memory, "a search", error);
+    for (k = 0; k < gp->m && status == MS_OK; ++k) {
+        const int used = gp->view.theta[k] < MS_GPR__DROPPED;
+        if (h->source.box.width[k] > 0 && (used || h->source.box.snap)) {
+            h->use[h->axes] = use;
+            h->axis[h->axes++] = k;
+        }
+        use += used;
+    }
+    return status;
 }
 
-/* What chains move along: every column with a width; one that is left out only where a snap may tie it to others. */
-static void ms_gpr__sampler_axes(ms_gpr__sampler *h)
+static ms_status ms_gpr__check_recommend(ms_gpr_recommend_options *o, int m, ms_error *error)
 {
-    const ms_gpr *gp = h->source.gp;
-    int k;
-    memset(h->reach, 0, (size_t)gp->m * sizeof *h->reach);
-    for (k = 0; k < gp->m; ++k) {
-        const double width = h->source.box.width[k];
-        const int dropped = !(gp->theta[k] < MS_GPR__DROPPED);
-        if (!(width > 0) || (dropped && h->source.box.snap == NULL)) continue;
-        h->axis[h->axes++] = k;
-        h->reach[k] = fmin(1 / (width * gp->scale[k]), 0.3);
-    }
-}
-
-static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *options, int m, ms_gpr_recommend_options *o,
-                                           ms_error *error)
-{
-    ms_status status;
-    if (options != NULL) *o = *options;
-    else memset(o, 0, sizeof *o);
-    status = ms_gpr__check_range("tau", o->tau, 0, 1, error);
-    if (status == MS_OK) status = ms_gpr__check_range("avoid_distance", o->avoid_distance, 0, MS_GPR__LARGEST, error);
-    if (status == MS_OK) status = ms_gpr__check_range("best", o->best, -MS_GPR__LARGEST, MS_GPR__LARGEST, error);
+    ms_status status = ms_gpr__check_range("tau", o->tau, 0, 1, error);
     if (status == MS_OK) status = ms_gpr__check_range("avoid_count", o->avoid_count, 0, MS_GPR__INT_MAX, error);
     if (status == MS_OK) status = ms_gpr__check_range("search", (int)o->search, 0, (int)MS_GPR_SEARCH_VARIANTS, error);
     if (status == MS_OK && o->avoid_count > 0 && o->avoid == NULL) status = ms_gpr__null("avoid", error);
-    if (status != MS_OK) return status;
     if (!(o->tau > 0)) o->tau = 0.6;
-    if (!(o->avoid_distance > 0)) o->avoid_distance = 0.15;
-    if (o->avoid_count == 0) return MS_OK;
+    if (status != MS_OK) return status;
     return ms_gpr__check_rows(o->avoid, o->avoid_count, m, MS_GPR__LARGEST, "material to avoid", error);
 }
 
-/* The search that was asked for, or the best one. */
 static ms_status ms_gpr__sampler_run(ms_gpr__sampler *h, ms_error *error)
 {
     const char *reason = "";
     int liking;
     ms_status status = ms_gpr__sampler_begin(h, &liking, error);
     if (status == MS_OK && liking && h->o.search != MS_GPR_SEARCH_VARIANTS) status = ms_gpr__sampler_chains(h, error);
-    if (status == MS_OK && h->found.taken < h->found.count) status = ms_gpr__sampler_variants(h, error);
-    if (status == MS_CANCELLED)
-        return ms__fail(error, status, 0, "cancelled after %d of %d recommendations", h->found.taken, h->found.count);
+    if (status == MS_OK && h->taken < h->count) status = ms_gpr__sampler_variants(h, error);
+    if (h->report.search == MS_GPR_SEARCH_VARIANTS && h->taken > 0) h->report.threshold = h->least;
+    h->report.found = h->taken;
     if (status != MS_NOT_CONVERGED) return status;
-    if (h->found.refused > 0) reason = ": there are no other materials";
-    if (h->found.avoided > 0) reason = ": the others are too near to one to avoid";
-    return ms__fail(error, status, 0, "gave up after %d of %d recommendations%s", h->found.taken, h->found.count,
-                    reason);
+    if (h->refused > 0) reason = ": there are no other materials";
+    if (h->avoided > 0) reason = ": the others are too near to one to avoid";
+    return ms__fail(error, status, 0, "gave up after %d of %d recommendations%s", h->taken, h->count, reason);
 }
 
 MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
                                   double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error)
 {
     ms_gpr__sampler sampler, *h = &sampler;
-    ms__arena arena = {NULL, 0};
-    ms_status status;
+    ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
+    ms_status status, predicted;
     int i;
     if (gp == NULL || x == NULL) return ms_gpr__null(gp ? "x" : "gp", error);
     status = ms_gpr__check_range("count", count, 1, 0x7fffffff / 16, error);
     if (status != MS_OK) return status;
     memset(h, 0, sizeof *h);
-    status = ms_gpr__recommend_options(options, gp->m, &h->o, error);
+    if (options) h->o = *options;
+    status = ms_gpr__check_recommend(&h->o, gp->m, error);
     if (status != MS_OK) return status;
-    h->found.count = count;
-    h->found.x = x;
-    status = ms_gpr__source_make(&h->source, gp, &h->o.space, error);
-    if (status != MS_OK) return status;
-    ms_gpr__sampler_layout(h, &arena);
-    if (!ms_gpr__place(&gp->allocator, &arena)) {
-        ms_gpr__box_free(&h->source.box);
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a search over %d scores", gp->n);
+    h->count = count;
+    h->x = x;
+    h->least = HUGE_VAL;
+    memory.allocator = gp->o.allocator;
+    status = ms_gpr__source_make(&h->source, gp, &h->o.space, &memory, error);
+    if (status == MS_OK) status = ms_gpr__sampler_make(h, &memory, error);
+    if (status == MS_OK) {
+        status = ms_gpr__sampler_run(h, error);
+        if (report && status != MS_OUT_OF_MEMORY) *report = h->report;
     }
-    ms_gpr__sampler_layout(h, &arena);
-    ms_gpr__sampler_axes(h);
-    for (i = 0; i < gp->m && h->source.box.snap == NULL; ++i) h->found.all_new |= h->source.box.width[i] > 0;
-    status = ms_gpr__sampler_run(h, error);
-    h->report.found = h->found.taken;
-    if (h->report.found > 0) {
-        double *means = mean == NULL && h->report.found <= MS_GPR__PILOT ? h->mean : mean;
-        ms_status predicted = ms_gpr_predict(gp, x, h->report.found, means, sigma, error);
+    if (h->taken > 0 && (mean || sigma)) {
+        predicted = ms_gpr_predict(gp, x, h->taken, mean, sigma, error);
+        for (i = 0; i < h->taken && sigma && predicted == MS_OK; ++i) sigma[i] = sqrt(sigma[i]);
         if (predicted != MS_OK) status = predicted;
-        for (i = 0; predicted == MS_OK && i < h->report.found; ++i) {
-            if (sigma) sigma[i] = sqrt(sigma[i]);
-            if (h->report.search == MS_GPR_SEARCH_VARIANTS && means)
-                h->report.threshold = i ? fmin(h->report.threshold, means[i]) : means[i];
-        }
     }
-    if (report && status != MS_OUT_OF_MEMORY) *report = h->report;
-    ms_gpr__release(&gp->allocator, arena.base);
-    ms_gpr__box_free(&h->source.box);
+    ms_gpr__release(&memory);
     return status;
 }
 
 /* --- galleries --- */
 
-enum {
-    MS_GPR__CANDIDATES = 1024, /* that a gallery is chosen from, at least; 10 for each choice. 4000 gain nothing */
-    MS_GPR__SPARE = 8          /* candidates for each material of a gallery that is spread evenly, with a snap */
-};
+enum { MS_GPR__CANDIDATES = 1024 }; /* that a gallery is chosen from, at least; 10 for each choice. 4000 gain nothing */
 
 /* A pool of candidates and what is known about them, given the scores and the choices so far. */
 typedef struct ms_gpr__pool {
     ms_gpr__source source;
     double threshold; /* of recommendations */
-    int size, count;  /* candidates, a multiple of CHUNK where their variances are computed; choices */
+    int size, count;  /* candidates, a multiple of CHUNK; choices */
     double *x;        /* [size][m] */
     double *points;   /* [active][size] in length scales, as gp->points */
     double *mean;     /* [size] */
     double *variance; /* [size] */
-    double *columns;  /* [padded n][size] U'^-1 k(training, pool) */
-    double *basis;    /* [count][size] posterior covariance with each choice, less what earlier ones explain, over
-                               its deviation */
+    double *columns;  /* [padded n + count][size] U'^-1 k(training, pool); then for each choice the posterior
+                         covariance with it, less what earlier ones explain, over its deviation */
     char *taken;      /* [size] 1: chosen, or equal to one that was */
 } ms_gpr__pool;
 
-/* spread: what belongs to the variances is not needed. */
-static void ms_gpr__pool_layout(ms_gpr__pool *p, int spread, ms__arena *arena)
-{
-    size_t m = (size_t)p->source.gp->m, size = (size_t)p->size;
-    ms_gpr__source_layout(&p->source, arena);
-    p->x = ms_gpr__take(arena, size, m);
-    p->mean = ms_gpr__take(arena, size, 1);
-    p->taken = (char *)ms__take(arena, size, 1);
-    if (spread) return;
-    p->points = ms_gpr__take(arena, size, m);
-    p->variance = ms_gpr__take(arena, size, 1);
-    p->columns = ms_gpr__take(arena, size, (size_t)ms_gpr__padded(p->source.gp->n));
-    p->basis = ms_gpr__take(arena, size, (size_t)p->count);
-}
-
-/* Every parameter of the candidates falls once into each of as many parts of its range. */
-static void ms_gpr__pool_spread(ms_gpr__pool *p, ms_gpr__random *random)
-{
-    const ms_gpr__box *box = &p->source.box;
-    size_t m = (size_t)box->m, k;
-    double *part = p->mean;
-    int i, j;
-    for (k = 0; k < m; ++k) { /* a shuffle */
-        for (j = 0; j < p->size; ++j) {
-            i = (int)(ms_gpr__uniform(random) * (j + 1));
-            part[j] = part[i];
-            part[i] = j;
-        }
-        for (j = 0; j < p->size; ++j) p->x[(size_t)j * m + k] = (part[j] + ms_gpr__uniform(random)) / p->size;
-    }
-    for (j = 0; j < p->size; ++j) {
-        memcpy(p->source.point, p->x + (size_t)j * m, m * sizeof *p->x);
-        ms_gpr__box_material(box, p->source.point, p->x + (size_t)j * m);
-    }
-}
-
-/* Task: a chunk of candidates against the training set. */
 static void ms_gpr__pool_chunk(void *context, int chunk)
 {
     ms_gpr__pool *p = (ms_gpr__pool *)context;
-    const ms_gpr *gp = p->source.gp;
-    size_t size = (size_t)p->size, first = (size_t)chunk * MS_GPR__CHUNK;
-    double *mean = p->mean + first, *variance = p->variance + first;
-    int j;
-    for (j = 0; j < MS_GPR__CHUNK; ++j) mean[j] = gp->mean, variance[j] = ms_gpr__sf2(gp);
-    ms_gpr__chunk_kernel(gp, p->points + first, p->columns + first, size);
-    ms_gpr__chunk_explain(gp, p->columns + first, size, mean, variance);
+    const size_t first = (size_t)chunk * MS_GPR__CHUNK;
+    ms_gpr__chunk(p->source.gp, p->points + first, p->columns + first, (size_t)p->size, p->mean + first,
+                  p->variance + first);
 }
 
 /* How much candidate j is worth as choice number q: 1.96 sigma - |mean - threshold| ("straddle"); where the model has
    choices, P(score > floor) sigma in turns with it. By the former alone, after five galleries of picks, the divergence
-   of persons who like one class was up to twice as large. */
+   of persons who like one class was larger. */
 static double ms_gpr__pool_worth(const ms_gpr__pool *p, int q, int j)
 {
-    double sigma = p->variance[j] > 0 ? sqrt(p->variance[j]) : 0;
-    if (p->source.gp->choices.count == 0 || q % 2 == 0) return 1.96 * sigma - fabs(p->mean[j] - p->threshold);
+    double sigma = sqrt(p->variance[j]);
+    if (p->source.gp->view.choices.count == 0 || q % 2 == 0) return 1.96 * sigma - fabs(p->mean[j] - p->threshold);
     return sigma > 0 ? 0.5 * erfc((p->source.floor - p->mean[j]) / (1.4142135623730951 * sigma)) * sigma : 0;
 }
 
-/* The candidate of the largest worth, in a gallery that is spread the first; -1: all are taken. */
-static int ms_gpr__pool_best(const ms_gpr__pool *p, int q, int spread)
+/* The candidate of the largest worth; if all are taken, one of them. */
+static int ms_gpr__pool_best(const ms_gpr__pool *p, int q)
 {
-    double largest = -HUGE_VAL;
-    int best = -1, j;
+    double largest = -HUGE_VAL, worth;
+    int best = q % p->size, j;
     for (j = 0; j < p->size; ++j) {
-        double worth = p->taken[j] ? -HUGE_VAL : spread ? -j : ms_gpr__pool_worth(p, q, j);
-        if (!(worth > largest)) continue;
-        largest = worth;
-        best = j;
+        if (p->taken[j]) continue;
+        worth = ms_gpr__pool_worth(p, q, j);
+        if (worth > largest) largest = worth, best = j;
     }
     return best;
 }
@@ -3586,28 +3151,24 @@ static int ms_gpr__pool_best(const ms_gpr__pool *p, int q, int spread)
 static void ms_gpr__pool_choose(ms_gpr__pool *p, int q, int j)
 {
     const ms_gpr *gp = p->source.gp;
-    size_t size = (size_t)p->size;
-    double *b = p->basis + (size_t)q * size, *point = p->source.point, sf2 = ms_gpr__sf2(gp), scale;
+    const size_t size = (size_t)p->size;
+    const int before = ms_gpr__padded(gp->n) + q;
+    double *b = p->columns + (size_t)before * size, sf2 = ms_gpr__sf2(gp), scale;
     int i;
-    ms_gpr__scale(gp, p->x + (size_t)j * (size_t)gp->m, point, 1);
-    gp->kernels->distances(b, p->points, size, point, 1, gp->active, p->size);
+    gp->kernels->distances(b, p->points, size, p->points + j, size, gp->active, p->size);
     gp->kernels->exponentials(b, p->size, sf2);
-    for (i = 0; i < gp->n; ++i) {
+    for (i = 0; i < before; ++i) {
         const double *v = p->columns + (size_t)i * size;
         gp->kernels->axpy(b, -v[j], v, p->size);
     }
-    for (i = 0; i < q; ++i) {
-        const double *before = p->basis + (size_t)i * size;
-        gp->kernels->axpy(b, -before[j], before, p->size);
-    }
-    scale = 1 / sqrt((p->variance[j] > 0 ? p->variance[j] : 0) + ms_gpr__sn2(gp) + 1e-12 * sf2);
+    scale = 1 / sqrt(p->variance[j] + ms_gpr__sn2(gp) + 1e-12 * sf2);
     for (i = 0; i < p->size; ++i) {
         b[i] *= scale;
-        p->variance[i] -= b[i] * b[i];
+        p->variance[i] = fmax(p->variance[i] - b[i] * b[i], 0);
     }
 }
 
-/* x [m] and all candidates that equal it are taken. */
+/* All candidates that equal x [m] are taken. */
 static void ms_gpr__pool_take(ms_gpr__pool *p, const double *x)
 {
     size_t m = (size_t)p->source.gp->m;
@@ -3616,72 +3177,58 @@ static void ms_gpr__pool_take(ms_gpr__pool *p, const double *x)
         if (memcmp(p->x + (size_t)j * m, x, m * sizeof *x) == 0) p->taken[j] = 1;
 }
 
-/* One choice after the other. With a snap, what was asked before or is chosen is not asked again while there is
+/* The candidates, then one choice after the other. With a snap, what was asked before is not asked again while there is
    something else. */
-static void ms_gpr__pool_run(ms_gpr__pool *p, int spread, double *x)
+static void ms_gpr__pool_run(ms_gpr__pool *p, uint64_t seed, double *x)
 {
     const ms_gpr *gp = p->source.gp;
-    const int discrete = p->source.box.snap != NULL;
-    size_t m = (size_t)gp->m;
-    int q;
-    for (q = 0; q < p->size && !spread; ++q) ms_gpr__scale(gp, p->x + (size_t)q * m, p->points + q, (size_t)p->size);
-    if (!spread) ms__run(&gp->parallel, p->size / MS_GPR__CHUNK, ms_gpr__pool_chunk, p);
-    for (q = 0; q < gp->n && discrete; ++q) ms_gpr__pool_take(p, gp->x + (size_t)q * m);
+    const size_t m = (size_t)gp->m;
+    ms_gpr__random random = ms_gpr__random_make(seed, (uint64_t)gp->n);
+    int best, q;
+    ms_gpr__source_breed(&p->source);
+    ms_gpr__source_fill(&p->source, 2, 0.1, 0.5, &random, p->size, p->x);
+    for (q = 0; q < p->size; ++q) ms_gpr__scale(gp, p->x + (size_t)q * m, p->points + q, (size_t)p->size);
+    ms__run(&gp->o.parallel, p->size / MS_GPR__CHUNK, ms_gpr__pool_chunk, p);
+    for (q = 0; q < gp->n && p->source.box.snap; ++q) ms_gpr__pool_take(p, gp->view.x + (size_t)q * m);
     for (q = 0; q < p->count; ++q) {
-        int best = ms_gpr__pool_best(p, q, spread);
-        if (best < 0) best = q % p->size;
+        best = ms_gpr__pool_best(p, q);
         memcpy(x + (size_t)q * m, p->x + (size_t)best * m, m * sizeof *x);
-        p->taken[best] = 1;
-        if (discrete) ms_gpr__pool_take(p, x + (size_t)q * m);
-        if (!spread) ms_gpr__pool_choose(p, q, best);
+        ms_gpr__pool_take(p, x + (size_t)q * m);
+        ms_gpr__pool_choose(p, q, best);
     }
 }
 
 MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x,
                                 ms_error *error)
 {
+    ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
     ms_gpr_gallery_options o;
     ms_gpr__pool pool, *p = &pool;
-    ms_gpr__random random;
-    ms__arena arena = {NULL, 0};
     ms_status status;
-    int spread;
+    size_t size;
     memset(p, 0, sizeof *p);
+    memset(&o, 0, sizeof o);
     if (options != NULL) o = *options;
-    else memset(&o, 0, sizeof o);
     if (gp == NULL || x == NULL) return ms_gpr__null(gp ? "x" : "gp", error);
     status = ms_gpr__check_range("count", count, 1, 1e6, error);
-    if (status == MS_OK) status = ms_gpr__check_range("kind", (int)o.kind, 0, (int)MS_GPR_GALLERY_SPREAD, error);
-    if (status == MS_OK) status = ms_gpr__source_make(&p->source, gp, &o.space, error);
     if (status != MS_OK) return status;
+    memory.allocator = gp->o.allocator;
+    status = ms_gpr__source_make(&p->source, gp, &o.space, &memory, error);
     p->count = count;
     p->threshold = p->source.floor + 0.6 * (p->source.top - p->source.floor);
-    spread = o.kind == MS_GPR_GALLERY_SPREAD || !(p->source.top > p->source.floor); /* the latter: nothing is liked */
-
     p->size = 10 * count > MS_GPR__CANDIDATES ? 10 * count : (int)MS_GPR__CANDIDATES;
     p->size = (p->size + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
-    if (spread) p->size = o.space.snap ? MS_GPR__SPARE * count : count;
-    ms_gpr__pool_layout(p, spread, &arena);
-    if (!ms_gpr__place(&gp->allocator, &arena)) {
-        ms_gpr__box_free(&p->source.box);
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a pool of %d candidates", p->size);
-    }
-    ms_gpr__pool_layout(p, spread, &arena);
-    memset(p->taken, 0, (size_t)p->size);
-    random = ms_gpr__random_make(o.seed, (uint64_t)gp->n);
-    if (spread) {
-        ms_gpr__pool_spread(p, &random);
-    } else {
-        ms_gpr__source_breed(&p->source);
-        ms_gpr__source_fill(&p->source, 2, 0.1, 0.5, &random, p->size, p->x);
-    }
-    ms_gpr__pool_run(p, spread, x);
-    ms_gpr__release(&gp->allocator, arena.base);
-    ms_gpr__box_free(&p->source.box);
-    return MS_OK;
+    size = (size_t)p->size;
+    ms_gpr__take_each(&memory, ms__size_mul(size, (size_t)gp->m), 2, &p->x, &p->points);
+    ms_gpr__take_each(&memory, size, 2, &p->mean, &p->variance);
+    p->columns = ms_gpr__take(&memory, size, (size_t)ms_gpr__padded(gp->n) + (size_t)count);
+    p->taken = (char *)ms_gpr__take_bytes(&memory, size, 1);
+    if (status == MS_OK) status = ms_gpr__taken(&memory, "a gallery", error);
+    if (status == MS_OK) ms_gpr__pool_run(p, o.seed, x);
+    ms_gpr__release(&memory);
+    return status;
 }
 
-#ifndef MS_GPR_NO_PLANE
 /* ---- plane ----------------------------------------------------------------------------------------------------- */
 
 enum {
@@ -3692,12 +3239,13 @@ enum {
 
 struct ms_gpr_latent {
     int z, m;
-    ms_gpr *gp;     /* of the latents, lengths 1: their kernel. Its scores are 0 */
-    double *center; /* [m] subtracted from the materials */
-    double *x;      /* [m][stride] materials less center, by dimension, padded with zeros */
-    double *weight; /* [m][stride] K'^-1 x */
-    ms_allocator allocator;
-    int constrained; /* materials satisfy the box */
+    ms_gpr *gp; /* of the latents, lengths 1: their kernel. Its scores are 0 */
+    size_t stride;
+    ms_gpr__memory memory; /* what follows */
+    double *center;        /* [m] subtracted from the materials */
+    double *x;             /* [m][stride] materials less center, by dimension, padded with zeros */
+    double *weight;        /* [m][stride] K'^-1 x */
+    int constrained;       /* materials satisfy the box */
     ms_gpr__box box;
 };
 
@@ -3705,11 +3253,11 @@ struct ms_gpr_latent {
 typedef struct ms_gpr__embedding {
     const ms_gpr_latent *plane;
     ms_gpr__problem problem;
-    double *weight;  /* [m][stride] K'^-1 x */
-    double *q, *low; /* [starts][2 z + 2], [2 z + 2] */
-    double *work;    /* of the minimizer */
+    double *weight; /* [m][stride] K'^-1 x */
+    double *q;      /* [starts][2 z + 2] */
+    double *low, *high;
+    double *work; /* of the minimizer */
     double prior;
-    const ms_progress *progress;
     int evaluations;
 } ms_gpr__embedding;
 
@@ -3729,14 +3277,13 @@ static int ms_gpr__latent_likelihood(ms_gpr__embedding *e, double sf2, double no
     memcpy(e->weight, e->plane->x, (size_t)m * p->stride * sizeof *e->weight);
     for (k = 0; k < m; ++k) {
         double *column = e->weight + (size_t)k * p->stride;
-        ms_gpr__forward_vector(f, p->upper, p->stride, padded, column);
-        *likelihood -= 0.5 * f->dot(column, column, padded);
-        ms_gpr__backward_vector(f, p->upper, p->stride, padded, column);
+        ms_gpr__solve(f, p->upper, p->stride, padded, column);
+        *likelihood -= 0.5 * f->dot(column, e->plane->x + (size_t)k * p->stride, padded);
     }
     if (gradient == NULL) return 1;
 
     /* upper = m K'^-1 - A A'; dK/dlog sf = 2 K, dK_ij/dp_ik = -K_ij (p_ik - p_jk), each pair twice */
-    ms_gpr__minus_inverse(p);
+    ms_gpr__minus_inverse(p, p->upper, padded);
     for (i = 0; i < z; ++i)
         for (j = i; j < z; ++j) p->upper[(size_t)i * p->stride + (size_t)j] *= -m;
     f->reduce(p->upper, p->stride, e->weight, p->stride, e->weight, p->stride, padded, padded, m, MS_GPR__UPPER);
@@ -3758,7 +3305,6 @@ static int ms_gpr__latent_likelihood(ms_gpr__embedding *e, double sf2, double no
     return 1;
 }
 
-/* Minus the log posterior a datum. */
 static int ms_gpr__latent_objective(void *context, const double *q, double *value, double *gradient)
 {
     ms_gpr__embedding *e = (ms_gpr__embedding *)context;
@@ -3766,9 +3312,6 @@ static int ms_gpr__latent_objective(void *context, const double *q, double *valu
     const double data = (double)z * e->plane->m;
     double likelihood, penalty = 0;
     int i, k;
-    if (e->progress->report &&
-        e->progress->report(e->progress->user, fmin((double)e->evaluations / (int)MS_GPR__LATENT_LIMIT, 1)))
-        return -1;
     ++e->evaluations;
     for (k = 0; k < 2; ++k)
         memcpy(e->problem.points + (size_t)k * e->problem.stride, q + 2 + k * z, (size_t)z * sizeof *q);
@@ -3783,12 +3326,12 @@ static int ms_gpr__latent_objective(void *context, const double *q, double *valu
 }
 
 /* The first two principal components of the materials, each of variance 1, as points [2][z]: orthogonal iteration with
-   X X'. A component without variance stays 0. column: [stride] scratch. */
-static void ms_gpr__latent_components(const ms_gpr_latent *p, double total, double *points, double *column)
+   X X'. A component without variance stays 0. column: [2][stride] scratch. */
+static void ms_gpr__latent_components(const ms_gpr__kernels *f, const ms_gpr_latent *p, double total, double *points,
+                                      double *column)
 {
-    const ms_gpr__kernels *f = p->gp->kernels;
     ms_gpr__random random = ms_gpr__random_make(0, 0);
-    const size_t stride = p->gp->stride;
+    const size_t stride = p->stride;
     int padded = ms_gpr__padded(p->z), pass, i, k, d;
     for (i = 0; i < 2 * p->z; ++i) points[i] = ms_gpr__uniform(&random) - 0.5;
     for (pass = 0; pass < 120; ++pass) {
@@ -3820,61 +3363,72 @@ static ms_status ms_gpr__latent_search(ms_gpr__embedding *e, double spread, ms_e
     search.context = e;
     search.count = count;
     search.low = e->low;
+    search.high = e->high;
     search.step = 1;
     search.tolerance = 1e-9;
     search.evaluations = MS_GPR__LATENT_LIMIT;
-    ms_gpr__latent_components(e->plane, spread * spread * e->plane->z * e->plane->m, e->q + 2, e->work);
-    for (i = 0; i < count; ++i) e->low[i] = i == 0 ? log(spread) - 5 : i == 1 ? log(1e-3 * spread) : -1e3;
+    ms_gpr__latent_components(e->problem.kernels, e->plane, spread * spread * e->plane->z * e->plane->m, e->q + 2,
+                              e->work);
+    for (i = 0; i < count; ++i) {
+        e->low[i] = i == 0 ? log(spread) - 5 : i == 1 ? log(1e-3 * spread) : -1e3;
+        e->high[i] = 1e3;
+    }
     for (k = MS_GPR__LATENT_STARTS - 1; k >= 0; --k) {
         double *q = e->q + k * count;
         for (i = 2; i < count; ++i) q[i] = scale[k] * e->q[i];
         q[0] = log(spread);
         q[1] = log(0.3 * spread);
     }
-    found = ms_gpr__minimize_starts(&search, e->q, MS_GPR__LATENT_STARTS, MS_GPR__LATENT_TRIAL, e->work, &k);
-    if (found.stopped) return ms__fail(error, MS_CANCELLED, 0, "cancelled after %d evaluations", e->evaluations);
+    found = ms_gpr__minimize_starts(&search, e->q, MS_GPR__LATENT_STARTS, MS_GPR__LATENT_TRIAL, e->work);
     if (found.value < HUGE_VAL) return MS_OK;
     return ms__fail(error, MS_NOT_CONVERGED, 0, "the likelihood is not defined at any start");
 }
 
-/* plane->gp: points [z][2] under these hyperparameters, and what follows for the materials. */
-static ms_status ms_gpr__latent_condition(ms_gpr_latent *p, const double *points, double log_sf, double log_sn,
-                                          ms_error *error)
+/* The plane of points [z][2] under these hyperparameters. */
+static ms_status ms_gpr__latent_condition(ms_gpr_latent *p, ms_simd simd, const double *points, double log_sf,
+                                          double log_sn, ms_error *error)
 {
-    ms_gpr_view parts = ms_gpr_view_of(p->gp);
     const double theta[4] = {0, 0, log_sf, log_sn};
+    const size_t size = (size_t)p->m * p->stride * sizeof(double);
+    ms_gpr_options options;
+    ms_gpr_view parts;
     ms_status status;
     int k;
+    memset(&options, 0, sizeof options);
+    memset(&parts, 0, sizeof parts);
+    options.simd = simd;
+    options.allocator = p->memory.allocator;
+    parts.n = p->z;
+    parts.m = 2;
     parts.x = points;
+    parts.y = p->weight; /* zeros */
     parts.theta = theta;
-    status = ms_gpr_update(p->gp, &parts, error);
-    for (k = 0; k < p->m && status == MS_OK; ++k) {
-        double *column = p->weight + (size_t)k * p->gp->stride;
-        memcpy(column, p->x + (size_t)k * p->gp->stride, p->gp->stride * sizeof *column);
-        ms_gpr__forward_vector(p->gp->kernels, p->gp->upper, p->gp->stride, ms_gpr__padded(p->z), column);
-        ms_gpr__backward_vector(p->gp->kernels, p->gp->upper, p->gp->stride, ms_gpr__padded(p->z), column);
-    }
-    return status;
+    status = ms_gpr__make(&parts, &options, NULL, &p->gp, error);
+    if (status != MS_OK) return status;
+    memcpy(p->weight, p->x, size);
+    for (k = 0; k < p->m; ++k)
+        ms_gpr__solve(p->gp->kernels, p->gp->upper, p->stride, ms_gpr__padded(p->z), p->weight + (size_t)k * p->stride);
+    return MS_OK;
 }
 
-static void ms_gpr__embedding_layout(ms_gpr__embedding *e, const ms_gpr_latent *plane, ms__arena *arena)
+static ms_status ms_gpr__embedding_make(ms_gpr__embedding *e, const ms_gpr_latent *plane, ms_simd simd,
+                                        ms_gpr__memory *memory, ms_error *error)
 {
-    const ms_gpr *gp = plane->gp;
+    const ms_gpr__kernels *kernels = ms_gpr__kernels_of(ms_gpr__simd_pick(simd));
     const size_t count = 2 * (size_t)plane->z + 2;
+    ms_gpr_choices none = {0, NULL, NULL};
     e->plane = plane;
-    ms_gpr__problem_layout(&e->problem, gp->kernels, plane->z, 2, 0, &gp->choices, arena);
-    e->weight = ms_gpr__take(arena, (size_t)plane->m, gp->stride);
-    e->q = ms_gpr__take(arena, MS_GPR__LATENT_STARTS, count);
-    e->low = ms_gpr__take(arena, count, 1);
-    e->work = ms_gpr__take(arena, ms__size_add(ms_gpr__minimize_doubles((int)count), 2 * gp->stride), 1);
+    ms_gpr__problem_make(&e->problem, kernels, plane->z, 2, 0, &none, memory);
+    e->weight = ms_gpr__take(memory, (size_t)plane->m, plane->stride);
+    e->q = ms_gpr__take(memory, MS_GPR__LATENT_STARTS, count);
+    ms_gpr__take_each(memory, count, 2, &e->low, &e->high);
+    e->work = ms_gpr__take(memory, ms__size_add(ms_gpr__minimize_doubles((int)count), 2 * plane->stride), 1);
+    return ms_gpr__taken(memory, "an embedding", error);
 }
 
-/* A plane with its centered materials; all latents are 0. */
 static ms_status ms_gpr__latent_make(const double *x, int z, int m, const ms_gpr_latent_options *o, ms_gpr_latent **out,
                                      ms_error *error)
 {
-    ms_gpr_view parts;
-    ms_gpr_options options;
     ms_gpr_latent *p;
     ms_status status;
     int i, k;
@@ -3887,33 +3441,21 @@ static ms_status ms_gpr__latent_make(const double *x, int z, int m, const ms_gpr
     p = (ms_gpr_latent *)(void *)ms__alloc(&o->allocator, sizeof *p);
     if (p == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a latent space");
     memset(p, 0, sizeof *p);
-    memset(&parts, 0, sizeof parts);
-    memset(&options, 0, sizeof options);
     p->z = z;
     p->m = m;
-    p->allocator = options.allocator = o->allocator;
-    options.simd = o->simd;
-    parts.n = z;
-    parts.m = 2;
-    p->center = ms_gpr__scratch(&p->allocator, ms__size_mul((size_t)m, 1 + 2 * ms_gpr__stride(z)));
-    if (p->center == NULL)
-        status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a latent space of %d materials", z);
-    if (status == MS_OK) {
-        const size_t stride = ms_gpr__stride(z);
-        p->x = p->center + m;
-        p->weight = p->x + (size_t)m * stride;
-        memset(p->center, 0, (size_t)m * (1 + 2 * stride) * sizeof *p->center);
-        parts.x = parts.y = p->x; /* nothing but zeros yet */
-        status = ms_gpr__make(&parts, &options, &p->gp, error);
-        for (k = 0; k < m; ++k) {
-            const double *column = x + k;
-            for (i = 0; i < z; ++i) p->center[k] += column[(size_t)i * (size_t)m] / z;
-            for (i = 0; i < z; ++i) p->x[(size_t)k * stride + (size_t)i] = column[(size_t)i * (size_t)m] - p->center[k];
-        }
+    p->stride = ms_gpr__stride(z);
+    p->memory.allocator = o->allocator;
+    p->center = ms_gpr__take(&p->memory, (size_t)m, 1);
+    ms_gpr__take_each(&p->memory, ms__size_mul((size_t)m, p->stride), 2, &p->x, &p->weight);
+    status = ms_gpr__taken(&p->memory, "a latent space", error);
+    for (k = 0; k < m && status == MS_OK; ++k) {
+        const double *column = x + k;
+        for (i = 0; i < z; ++i) p->center[k] += column[(size_t)i * (size_t)m] / z;
+        for (i = 0; i < z; ++i) p->x[(size_t)k * p->stride + (size_t)i] = column[(size_t)i * (size_t)m] - p->center[k];
     }
     if (status == MS_OK && (o->space.low || o->space.high || o->space.snap)) {
-        status = ms_gpr__box_make(x, z, m, &o->space, &p->allocator, &p->box, error);
-        p->constrained = status == MS_OK;
+        status = ms_gpr__box_make(x, z, m, &o->space, &p->memory, &p->box, error);
+        p->constrained = 1;
     }
     if (status != MS_OK) ms_gpr_latent_destroy(p);
     else *out = p;
@@ -3924,92 +3466,70 @@ MS_API void ms_gpr_latent_destroy(ms_gpr_latent *plane)
 {
     ms_allocator allocator;
     if (plane == NULL) return;
-    allocator = plane->allocator;
-    if (plane->constrained) ms_gpr__box_free(&plane->box);
+    allocator = plane->memory.allocator;
     ms_gpr_destroy(plane->gp);
-    ms_gpr__release(&allocator, plane->center);
+    ms_gpr__release(&plane->memory);
     ms__release(&allocator, plane, sizeof *plane);
 }
 
 MS_API ms_gpr_latent_view ms_gpr_latent_view_of(const ms_gpr_latent *plane)
 {
-    ms_gpr_latent_view view;
-    memset(&view, 0, sizeof view);
+    ms_gpr_latent_view view = {0, 0, NULL, 0, 0};
     if (plane == NULL) return view;
     view.z = plane->z;
     view.m = plane->m;
-    view.points = plane->gp->x;
-    view.sf = exp(plane->gp->theta[2]);
-    view.sn = exp(plane->gp->theta[3]);
+    view.points = plane->gp->view.x;
+    view.sf = exp(plane->gp->view.theta[2]);
+    view.sn = exp(plane->gp->view.theta[3]);
     return view;
 }
 
 MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x,
                                    double *variance, ms_error *error)
 {
+    ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
     const ms_gpr *gp;
     ms_status status;
     double *kernel, *point;
     size_t i, m;
-    int k;
+    int k, padded;
     if (plane == NULL || latent == NULL) return ms_gpr__null(plane ? "latent" : "plane", error);
     status = ms_gpr__check_range("count", count, 0, MS_GPR__INT_MAX, error);
     if (status == MS_OK) status = ms_gpr__check_rows(latent, count, 2, MS_GPR__LARGEST, "latent", error);
     if (status != MS_OK) return status;
     gp = plane->gp;
     m = (size_t)plane->m;
-    kernel = ms_gpr__scratch(&plane->allocator, gp->stride + m + 2);
-    if (kernel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a material");
-    point = kernel + gp->stride;
-    for (i = 0; i < (size_t)count; ++i) {
-        const int padded = ms_gpr__padded(gp->n);
-        double *to = x + i * m, sf2 = ms_gpr__sf2(gp);
-        ms_gpr__scale(gp, latent + 2 * i, point, 1);
-        gp->kernels->distances(kernel, gp->points, gp->stride, point, 1, 2, padded);
-        gp->kernels->exponentials(kernel, padded, sf2);
-        for (k = gp->n; k < padded; ++k) kernel[k] = 0;
+    padded = ms_gpr__padded(gp->n);
+    memory.allocator = plane->memory.allocator;
+    kernel = ms_gpr__take(&memory, plane->stride, 1);
+    point = ms_gpr__take(&memory, m + 2, 1);
+    status = ms_gpr__taken(&memory, "a material", error);
+    for (i = 0; i < (size_t)count && status == MS_OK; ++i) {
+        double *to = x + i * m;
+        ms_gpr__covariances(gp, latent + 2 * i, point, kernel);
         for (k = 0; k < plane->m && x; ++k)
-            to[k] = plane->center[k] + gp->kernels->dot(kernel, plane->weight + (size_t)k * gp->stride, padded);
+            to[k] = plane->center[k] + gp->kernels->dot(kernel, plane->weight + (size_t)k * plane->stride, padded);
         if (plane->constrained && x) {
             ms_gpr__box_point(&plane->box, to, point);
             ms_gpr__box_material(&plane->box, point, to);
         }
         if (variance) { /* sf^2 - k' K'^-1 k */
             ms_gpr__forward_vector(gp->kernels, gp->upper, gp->stride, padded, kernel);
-            variance[i] = fmax(sf2 - gp->kernels->dot(kernel, kernel, padded), 0);
+            variance[i] = fmax(ms_gpr__sf2(gp) - gp->kernels->dot(kernel, kernel, padded), 0);
         }
     }
-    ms_gpr__release(&plane->allocator, kernel);
-    return MS_OK;
-}
-
-/* Likelihood, and the root mean square of what the plane makes of its own latents less its materials: that is K'^-1 X
-   times the noise. */
-static void ms_gpr__latent_criticize(ms_gpr__embedding *e, ms_gpr_latent_report *report)
-{
-    const ms_gpr_latent *p = e->plane;
-    const ms_gpr *gp = p->gp;
-    const double noise = ms_gpr__sn2(gp) + gp->jitter * ms_gpr__sf2(gp), data = (double)p->z * p->m;
-    double sum = 0;
-    int k;
-    memcpy(e->problem.points, gp->points, 2 * gp->stride * sizeof *gp->points);
-    ms_gpr__latent_likelihood(e, ms_gpr__sf2(gp), noise, &report->likelihood, NULL);
-    for (k = 0; k < p->m; ++k) {
-        const double *column = p->weight + (size_t)k * gp->stride;
-        sum += gp->kernels->dot(column, column, ms_gpr__padded(p->z));
-    }
-    report->error = noise * sqrt(sum / data);
-    report->evaluations = e->evaluations;
+    ms_gpr__release(&memory);
+    return status;
 }
 
 MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_latent_options *options,
                                    ms_gpr_latent **out, ms_gpr_latent_report *report, ms_error *error)
 {
+    ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
     ms_gpr_latent_options o;
     ms_gpr_latent *p;
     ms_gpr__embedding e;
-    ms__arena arena = {NULL, 0};
-    double spread = 0, centers = 0;
+    double spread, centers;
     ms_status status;
     int i, k;
     if (out == NULL) return ms_gpr__null("out", error);
@@ -4020,35 +3540,32 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
     status = ms_gpr__check_range("prior", o.prior, 0, MS_GPR__LARGEST, error);
     if (status == MS_OK) status = ms_gpr__latent_make(x, z, m, &o, &p, error);
     if (status != MS_OK) return status;
-    for (k = 0; k < m; ++k) {
-        const double *column = p->x + (size_t)k * p->gp->stride;
-        spread += p->gp->kernels->dot(column, column, ms_gpr__padded(z)) / ((double)z * m);
-        centers += p->center[k] * p->center[k] / m;
-    }
+    memory.allocator = o.allocator;
+    e.prior = o.prior;
+    spread = ms_gpr__product(p->x, p->x, (size_t)m * p->stride) / ((double)z * m);
+    centers = ms_gpr__product(p->center, p->center, (size_t)m) / m;
     if (!(spread > 1e-300) || !(spread > 1e-26 * centers))
         status = ms__fail(error, MS_BAD_DATA, 0, "all %d materials are equal", z);
-    ms_gpr__embedding_layout(&e, p, &arena);
-    if (status == MS_OK && !ms_gpr__place(&o.allocator, &arena))
-        status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the embedding of %d materials", z);
-    if (status == MS_OK) {
-        ms_gpr__embedding_layout(&e, p, &arena);
-        ms_gpr__problem_clear(&e.problem, &p->gp->choices);
-        e.prior = o.prior;
-        e.progress = &o.progress;
-        status = ms_gpr__latent_search(&e, sqrt(spread), error);
-    }
+    if (status == MS_OK) status = ms_gpr__embedding_make(&e, p, o.simd, &memory, error);
+    if (status == MS_OK) status = ms_gpr__latent_search(&e, sqrt(spread), error);
     if (status == MS_OK) {
         for (i = 0; i < z; ++i)
-            for (k = 0; k < 2; ++k) e.work[2 * i + k] = e.q[2 + k * z + i];
-        status = ms_gpr__latent_condition(p, e.work, e.q[0], e.q[1], error);
+            for (k = 0; k < 2; ++k)
+                e.work[2 * i + k] = e.problem.points[(size_t)k * p->stride + (size_t)i] = e.q[2 + k * z + i];
+        status = ms_gpr__latent_condition(p, o.simd, e.work, e.q[0], e.q[1], error);
     }
-    if (status == MS_OK && report) ms_gpr__latent_criticize(&e, report);
-    ms_gpr__release(&o.allocator, arena.base);
+    if (status == MS_OK && report) {
+        /* what the plane makes of its own latents, less the materials, is K'^-1 X times the noise */
+        const double noise = ms_gpr__sn2(p->gp) + p->gp->view.jitter * ms_gpr__sf2(p->gp);
+        report->error = noise * sqrt(ms_gpr__product(p->weight, p->weight, (size_t)m * p->stride) / ((double)z * m));
+        ms_gpr__latent_likelihood(&e, ms_gpr__sf2(p->gp), noise, &report->likelihood, NULL);
+        report->evaluations = e.evaluations;
+    }
+    ms_gpr__release(&memory);
     if (status != MS_OK) ms_gpr_latent_destroy(p);
     else *out = p;
     return status;
 }
-#endif /* MS_GPR_NO_PLANE */
 
 #endif /* the implementation */
 

@@ -5,6 +5,7 @@
 #define TEST_GPR_INSIDE_H
 #include "ms_gpr.h"
 #include "test.h"
+#include "explain.h"
 #ifdef TEST_INSIDE /* an object of the header and these functions */
 #define TEST_INSIDE_BODY
 #elif MS_GPR_IMPLEMENTED + 0 /* 1 by the build, which links such an object; the header defines it as nothing */
@@ -123,14 +124,14 @@ TEST_INSIDE void inside_exponentials(ms_simd level, double *c, int count)
 /* What the other scores say about each, and the sum of log N(y_i; mean_i, variance_i); mean, variance: [n] or NULL. */
 TEST_INSIDE double inside_leave_one_out(const ms_gpr *gp, double *mean, double *variance)
 {
-    const size_t n = (size_t)gp->n + 8;
-    double *memory = (double *)malloc((n * gp->stride + 2 * n) * sizeof *memory), *residual = memory + n * gp->stride,
-           *own = residual + n, density = 0;
+    const size_t n = (size_t)gp->n + 1;
+    double *memory = (double *)malloc(2 * n * sizeof *memory), *other = memory, *own = memory + n, density = 0;
     int i;
-    ms_gpr__leave_one_out(gp, memory, residual, own);
+    ms_gpr_leave_one_out(gp, other, own, NULL);
     for (i = 0; i < gp->n; ++i) {
-        density -= 0.5 * (log(2 * 3.14159265358979323846 * own[i]) + residual[i] * residual[i] / own[i]);
-        if (mean) mean[i] = gp->y[i] - residual[i];
+        const double residual = gp->view.y[i] - other[i];
+        density -= 0.5 * (log(2 * 3.14159265358979323846 * own[i]) + residual * residual / own[i]);
+        if (mean) mean[i] = other[i];
         if (variance) variance[i] = own[i];
     }
     free(memory);
@@ -141,35 +142,36 @@ TEST_INSIDE double inside_leave_one_out(const ms_gpr *gp, double *mean, double *
 TEST_INSIDE int inside_fit_objective(const double *x, const double *y, int n, int m, const double *q, double *value,
                                      double *gradient)
 {
-    static double memory[20000];
-    ms__arena arena;
+    ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
     ms_gpr__fit f;
+    int defined;
     memset(&f, 0, sizeof f);
     f.o.simd = MS_SIMD_SCALAR;
-    f.o.evaluations = f.starts = 1;
-    f.n = f.part = n;
-    arena.base = (char *)memory;
-    arena.used = 0;
-    ms_gpr__fit_layout(&f, n, m, &arena);
-    if (arena.used > sizeof memory || ms_gpr__fit_run(&f, x, y, n, m, NULL) != MS_OK) return 0; /* all is in place */
-    return ms_gpr__fit_objective(&f, q, value, gradient);
+    f.o.evaluations = 1;
+    f.data.n = n, f.data.m = m;
+    f.data.x = x, f.data.y = y;
+    defined = ms_gpr__fit_begin(&f, &memory, NULL) == MS_OK;
+    f.starts = 1;
+    f.part = n;
+    defined = defined && ms_gpr__fit_run(&f, NULL) == MS_OK && ms_gpr__fit_objective(&f, q, value, gradient);
+    ms_gpr__release(&memory);
+    return defined;
 }
 
 /* The mode of what was said, [n], and the likelihood by Laplace's approximation, computed anew; 0: it fails. */
 TEST_INSIDE int inside_mode(const ms_gpr *gp, double *likelihood, double *latent)
 {
     ms_gpr__problem problem;
-    void *memory;
-    int found;
-    if (ms_gpr__problem_of(gp, &problem, &memory, NULL) != MS_OK) return 0;
-    found = ms_gpr__evaluate(&problem, ms_gpr__sf2(gp), ms_gpr__sn2(gp), likelihood, NULL);
+    ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
+    int found = ms_gpr__problem_of(gp, &problem, &memory, NULL) == MS_OK;
+    found = found && ms_gpr__evaluate(&problem, ms_gpr__sf2(gp), ms_gpr__sn2(gp), likelihood, NULL);
     if (found) memcpy(latent, problem.latent, (size_t)gp->n * sizeof *latent);
-    ms_gpr__release(&gp->allocator, memory);
+    ms_gpr__release(&memory);
     return found;
 }
 
 /* What was added to the diagonal, in units of sf^2. */
-TEST_INSIDE double inside_latent_jitter(const ms_gpr_latent *plane) { return plane->gp->jitter; }
+TEST_INSIDE double inside_latent_jitter(const ms_gpr_latent *plane) { return plane->gp->view.jitter; }
 
 /* Other hyperparameters [m + 2] for the same data. The model is unchanged unless MS_OK. */
 TEST_INSIDE ms_status inside_set_theta(ms_gpr *gp, const double *theta, ms_error *error)
@@ -184,8 +186,8 @@ TEST_INSIDE ms_status inside_set_theta(ms_gpr *gp, const double *theta, ms_error
 TEST_INSIDE ms_status inside_simplify(ms_gpr *gp, double tolerance, int *kept)
 {
     double relevance[64], theta[66], dropped = 0;
-    memcpy(theta, gp->theta, ((size_t)gp->m + 2) * sizeof *theta);
-    ms_gpr_relevance(gp, relevance);
+    memcpy(theta, gp->view.theta, ((size_t)gp->m + 2) * sizeof *theta);
+    explain_relevance(gp, relevance);
     for (;;) {
         int least = -1, k;
         for (k = 0; k < gp->m; ++k)
@@ -203,7 +205,7 @@ TEST_INSIDE ms_status inside_simplify(ms_gpr *gp, double tolerance, int *kept)
 TEST_INSIDE ms_status inside_likelihood(const ms_gpr *gp, double *likelihood, double *gradient, ms_error *error)
 {
     ms_gpr__problem p;
-    void *memory = NULL;
+    ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
     double sf2, sn2, value;
     ms_status status;
     int k;
@@ -211,20 +213,19 @@ TEST_INSIDE ms_status inside_likelihood(const ms_gpr *gp, double *likelihood, do
     sf2 = ms_gpr__sf2(gp);
     sn2 = ms_gpr__sn2(gp);
     status = ms_gpr__problem_of(gp, &p, &memory, error);
-    if (status != MS_OK) return status;
-    if (!ms_gpr__evaluate(&p, sf2, sn2 + gp->jitter * sf2, &value, gradient)) {
+    if (status == MS_OK && !ms_gpr__evaluate(&p, sf2, sn2 + gp->view.jitter * sf2, &value, gradient)) {
         status = ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix is not positive definite");
-    } else {
+    } else if (status == MS_OK) {
         if (likelihood) *likelihood = value;
         if (gradient) {
-            double with_jitter = sn2 + gp->jitter * sf2;
+            double with_jitter = sn2 + gp->view.jitter * sf2;
             gradient[gp->m + 1] = gradient[gp->active + 1] * (with_jitter > 0 ? sn2 / with_jitter : 1);
             gradient[gp->m] = gradient[gp->active];
             for (k = gp->m - 1, p.m = gp->active; k >= 0; --k)
                 gradient[k] = p.m > 0 && gp->dimension[p.m - 1] == k ? gradient[--p.m] : 0;
         }
     }
-    ms_gpr__release(&gp->allocator, memory);
+    ms_gpr__release(&memory);
     return status;
 }
 
@@ -245,10 +246,10 @@ TEST_INSIDE ms_status inside_latent(const double *x, int z, int m, const double 
     status = ms_gpr__latent_make(x, z, m, &o, &p, error);
     if (status != MS_OK) return status;
     for (k = 0; k < m; ++k) {
-        for (i = 0; i < z; ++i) p->x[(size_t)k * p->gp->stride + (size_t)i] += p->center[k];
+        for (i = 0; i < z; ++i) p->x[(size_t)k * p->stride + (size_t)i] += p->center[k];
         p->center[k] = 0;
     }
-    status = ms_gpr__latent_condition(p, latent, theta[0], theta[1], error);
+    status = ms_gpr__latent_condition(p, o.simd, latent, theta[0], theta[1], error);
     if (status != MS_OK) ms_gpr_latent_destroy(p);
     else *out = p;
     return status;
@@ -260,23 +261,22 @@ TEST_INSIDE ms_status inside_latent_likelihood(const ms_gpr_latent *plane, doubl
 {
     static double gradient[2 + 2 * 1000];
     double sf2, noise, value = 0;
-    ms__arena arena = {NULL, 0};
+    ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
     ms_gpr__embedding e;
-    int pass, i, k, defined;
+    int i, k, defined;
     if (plane == NULL) return ms_gpr__null("plane", error);
     memset(&e, 0, sizeof e);
     sf2 = ms_gpr__sf2(plane->gp);
-    noise = ms_gpr__sn2(plane->gp) + plane->gp->jitter * sf2;
-    for (pass = 0; pass < 2; ++pass) {
-        ms_gpr__embedding_layout(&e, plane, &arena);
-        if (pass == 0 && !ms_gpr__place(&plane->allocator, &arena))
-            return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d materials", plane->z);
+    noise = ms_gpr__sn2(plane->gp) + plane->gp->view.jitter * sf2;
+    if (ms_gpr__embedding_make(&e, plane, plane->gp->o.simd, &memory, error) != MS_OK) {
+        ms_gpr__release(&memory);
+        return MS_OUT_OF_MEMORY;
     }
     memcpy(e.problem.points, plane->gp->points, 2 * plane->gp->stride * sizeof(double));
     defined = ms_gpr__latent_likelihood(&e, sf2, noise, &value, gradient_theta || gradient_latent ? gradient : NULL);
     for (k = 0; defined && gradient_latent && k < 2; ++k)
         for (i = 0; i < plane->z; ++i) gradient_latent[2 * i + k] = -gradient[2 + k * plane->z + i];
-    ms_gpr__release(&plane->allocator, arena.base);
+    ms_gpr__release(&memory);
     if (!defined) return ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix is not positive definite");
     if (likelihood) *likelihood = value;
     if (gradient_theta) gradient_theta[0] = -gradient[0]; /* of log sf, log sn */

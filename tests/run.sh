@@ -330,7 +330,7 @@ $compiler -std=c99 -I. -Werror $warn_c -D${upper}_NO_STDIO -DMS_DEF=static -O0 $
 $cxx -x c++ -std=c++20 -I. -Werror $warn -O1 $only $c -o $c.o"
                 continue
             fi
-            for flags in "" "-DMS_NO_SIMD" "-D${upper}_NO_STDIO" "-DMS_DEF=static" $(test $n != ms_gpr || echo -DMS_GPR_NO_PLANE); do
+            for flags in "" "-DMS_NO_SIMD" "-D${upper}_NO_STDIO" "-DMS_DEF=static"; do
                 job "${compiler}_${n}$(echo "$flags" | tr -d ' ')" "for o in $levels; do $compiler -std=c99 -I. -Werror $warn_c $flags \$o $only $c -o $c.o || exit 1; done
 for s in c++11 c++17 c++20; do $cxx -x c++ -std=\$s -I. -Werror $warn $flags -O2 $only $c -o $c.o || exit 1; done"
             done

@@ -347,19 +347,16 @@ static void memory_gpr(void)
     ms_gpr *gp = user_model();
     int i, what;
     for (i = 0; i < COUNTS; ++i)
-        for (what = 0; what < 4; ++what) {
+        for (what = 0; what < 3; ++what) {
             const int count = counts[i];
             const size_t points = (size_t)count * USER_M * sizeof(double), values = (size_t)count * sizeof(double);
             unsigned char *x = test_guarded(points, 0, 0), *mean = test_guarded(values, 0, 0xFF),
                           *sigma = test_guarded(values, 0, 0xFF);
             double *px = (double *)(void *)x, *pm = (double *)(void *)mean, *ps = (double *)(void *)sigma;
-            ms_gpr_gallery_options g;
             ms_status status;
-            memset(&g, 0, sizeof g);
-            g.kind = what == 3 ? MS_GPR_GALLERY_SPREAD : MS_GPR_GALLERY_ACTIVE;
             if (what == 0) status = ms_gpr_predict(gp, px, count, pm, ps, NULL);
             else if (what == 1) status = ms_gpr_recommend(gp, NULL, count, px, pm, ps, NULL, NULL);
-            else status = ms_gpr_gallery(gp, &g, count, px, NULL);
+            else status = ms_gpr_gallery(gp, NULL, count, px, NULL);
             CHECK_INT(status, MS_OK);
             if (what < 2) CHECK(isfinite(pm[count - 1]) && ps[count - 1] >= 0);
             CHECK(test_unguard(x, points, 0));
@@ -791,7 +788,6 @@ static const struct {
     {run_match, NULL, FIELD(ms_pme_match_options, refine.max_cost, 'd'), 50, 9},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, evaluations, 'i'), 200, 3},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, tau, 'd'), 0.6, 0.4},
-    {run_recommend, NULL, FIELD(ms_gpr_recommend_options, avoid_distance, 'd'), 0.15, 0.3},
     {run_simulate, NULL, FIELD(ms_mcml_options, photons, 'u'), 1000000, 500000},
     {run_simulate, set_fast, FIELD(ms_mcml_options, roulette_weight, 'd'), 0.01 * (3.0 / 303), 0.1},
     {run_profile, NULL, FIELD(ms_mcml_profile_options, depth_step, 'd'), 0.3, 0.5},
@@ -844,7 +840,6 @@ static const struct {
     {run_fit, NULL, FIELD(ms_gpr_fit_options, evaluations, 'i'), -1, 0, 5, NONE},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, tau, 'd'), -0.001, 0, 0.9, 1.001},
     {run_recommend, set_threshold, FIELD(ms_gpr_recommend_options, search, 'i'), -1, 0, 2, 3},
-    {run_gallery, NULL, FIELD(ms_gpr_gallery_options, kind, 'i'), -1, 0, 1, 2},
     {run_simulate, set_fast, FIELD(ms_mcml_options, roulette_weight, 'd'), -1e-9, 0, 1, 1.0001},
     {run_simulate, NULL, FIELD(ms_mcml_options, photons, 'u'), NONE, 1, 2, 4294967297.0},
     {run_profile, NULL, FIELD(ms_mcml_profile_options, depth_step, 'd'), 0.2799, 0.28, 1, 1.0001},

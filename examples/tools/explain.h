@@ -21,6 +21,21 @@ static inline int explain__order(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+/* How much each parameter matters, [m] out: the mean of ((a_k - b_k) / l_k)^2 over pairs of the model's materials; 0 for
+   one that is left out. */
+static inline void explain_relevance(const ms_gpr *gp, double *relevance)
+{
+    const ms_gpr_view v = ms_gpr_view_of(gp);
+    const size_t m = (size_t)v.m;
+    int i, k;
+    for (k = 0; k < v.m; ++k) {
+        double center = 0, sum = 0;
+        for (i = 0; i < v.n; ++i) center += v.x[(size_t)i * m + (size_t)k] / v.n;
+        for (i = 0; i < v.n; ++i) sum += pow((v.x[(size_t)i * m + (size_t)k] - center) * exp(-v.theta[k]), 2);
+        relevance[k] = v.n > 1 && v.theta[k] < 700 ? 2 * sum / (v.n - 1) : 0;
+    }
+}
+
 /* How many parameters were named, at most `most`; 0 also where memory runs out. The narrowest ranges come first. space:
    what was allowed (a range that was asked for is no reason), or NULL; name [m]: NULL for x0, x1 ... */
 static inline int explain(const ms_gpr *gp, const double *x, int count, const ms_gpr_space *space,
@@ -39,7 +54,7 @@ static inline int explain(const ms_gpr *gp, const double *x, int count, const ms
         return 0;
     }
     if (most > EXPLAIN_MOST) most = EXPLAIN_MOST;
-    ms_gpr_relevance(gp, relevance);
+    explain_relevance(gp, relevance);
     for (k = 0; k < m; ++k) largest = fmax(largest, relevance[k]);
     for (k = 0; k < m; ++k) {
         double low = 0, high = 1, wide, a, b;

@@ -123,11 +123,11 @@ static int failed(const char *where, const char *problem, int line)
 }
 
 /* What the answers do not support. */
-static void warn(const scores *s, const ms_gpr *gp, const ms_gpr_fit_report *fitted,
-                 const ms_gpr_recommend_report *report)
+static void warn(const scores *s, const ms_gpr *gp, const ms_gpr_recommend_report *report)
 {
     char text[WARNINGS_TEXT];
-    double nearest = 0;
+    double nearest = 0, explained;
+    const warnings_outlier outlier = warnings_judge(gp, &explained);
     int column = 0, row = scores_slip(s, &column, &nearest);
     if (row >= 0 && column < s->m)
         fprintf(stderr,
@@ -136,11 +136,11 @@ static void warn(const scores *s, const ms_gpr *gp, const ms_gpr_fit_report *fit
     else if (row >= 0)
         fprintf(stderr, "warning: is that a slip? score %d is %.6g (line %d), the nearest of the others is %.6g.\n",
                 row + 1, s->y[row], s->lines[row], nearest);
-    else if (fitted->outlier.row >= 0)
-        fprintf(
-            stderr, "warning: is that a slip? score %d is %.6g (line %d), about %.2g was expected from the others.\n",
-            fitted->outlier.row + 1, fitted->outlier.value, s->lines[fitted->outlier.row], fitted->outlier.expected);
-    if (warning_of(gp, fitted->explained, text)) fprintf(stderr, "warning: %s\n", text);
+    else if (outlier.row >= 0)
+        fprintf(stderr,
+                "warning: is that a slip? score %d is %.6g (line %d), about %.2g was expected from the others.\n",
+                outlier.row + 1, outlier.value, s->lines[outlier.row], outlier.expected);
+    if (warning_of(gp, explained, text)) fprintf(stderr, "warning: %s\n", text);
     if (report->search != MS_GPR_SEARCH_VARIANTS) return;
     if (report->liked > 0)
         fprintf(
@@ -180,7 +180,6 @@ int main(int argc, char **argv)
     ms_gpr_fit_options learn;
     ms_gpr_recommend_options options;
     ms_gpr_recommend_report report;
-    ms_gpr_fit_report fitted;
     ms_status status;
     ms_error error;
     ms_gpr *gp;
@@ -236,7 +235,7 @@ int main(int argc, char **argv)
     mean = (double *)malloc((size_t)n * sizeof *mean);
     sigma = (double *)malloc((size_t)n * sizeof *sigma);
     if (!x || !mean || !sigma) return failed(in, "out of memory", 0);
-    status = ms_gpr_fit(s.x, s.y, s.n, s.m, &learn, &gp, &fitted, &error);
+    status = ms_gpr_fit(s.x, s.y, s.n, s.m, &learn, &gp, NULL, &error);
     if (status == MS_OK) status = ms_gpr_recommend(gp, &options, n, x, mean, sigma, &report, &error);
     if (status == MS_NOT_CONVERGED && gp && report.found > skip) { /* there are not so many materials */
         fprintf(stderr, "warning: %s\n", error.message);
@@ -257,7 +256,7 @@ int main(int argc, char **argv)
         return 1;
     }
     if (!out && file_end_stdout("recommend")) return 1;
-    warn(&s, gp, &fitted, &report);
+    warn(&s, gp, &report);
     summarize(&s, &report, scored, learn.choices.count);
     if (report.search == MS_GPR_SEARCH_THRESHOLD &&
         (of_many = (double *)malloc(EXPLAINED * (size_t)s.m * sizeof *x)) != NULL) {

@@ -67,14 +67,14 @@ typedef struct studio {
     studio_renderer renderer;
     ms_gpr *gp;
     ms_gpr_latent *plane;
-    double at[2];           /* where in the plane */
-    uint64_t seed;          /* of the next recommendations */
-    int search;             /* which start studio_update works on: 0 where it stands, 1 to 3 the fit's own */
-    double *theta, reached; /* [m + 2] how far that start has come, and its objective */
-    double cost;            /* processor seconds that an evaluation takes, as measured; 0: not yet */
-    ms_gpr_outlier outlier; /* of the last update; row -1: none */
-    double explained;       /* as of ms_gpr_fit_report */
-    double *embedded;       /* [embedded_count][m] materials of the plane */
+    double at[2];             /* where in the plane */
+    uint64_t seed;            /* of the next recommendations */
+    int search;               /* which start studio_update works on: 0 where it stands, 1 to 3 the fit's own */
+    double *theta, reached;   /* [m + 2] how far that start has come, and its objective */
+    double cost;              /* processor seconds that an evaluation takes, as measured; 0: not yet */
+    warnings_outlier outlier; /* of the last update; row -1: none */
+    double explained;         /* as of warnings_judge */
+    double *embedded;         /* [embedded_count][m] materials of the plane */
     int embedded_count;
     space_kept *kept;    /* by studio_keep, or NULL */
     double *x;           /* [m] a material, */
@@ -341,11 +341,14 @@ static inline ms_status studio_like(studio *s, const double *x, int count, ms_er
     if (count < 1) return studio__refuse(error, MS_INVALID_ARGUMENT, "nothing is liked");
     if (s->others == NULL) {
         ms_gpr_gallery_options options;
+        ms_gpr *nothing; /* a model that knows nothing spreads its galleries */
         memset(&options, 0, sizeof options);
-        options.kind = MS_GPR_GALLERY_SPREAD;
+        options.seed = ~(uint64_t)0; /* not what a first gallery shows */
         s->others = (double *)malloc(STUDIO_OTHERS * m * sizeof *s->others);
         if (s->others == NULL) return studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a comparison");
-        status = ms_gpr_gallery(s->gp, &options, STUDIO_OTHERS, s->others, error);
+        status = ms_gpr_fit(NULL, NULL, 0, s->renderer.parameters, NULL, &nothing, NULL, error);
+        if (status == MS_OK) status = ms_gpr_gallery(nothing, &options, STUDIO_OTHERS, s->others, error);
+        ms_gpr_destroy(nothing);
         if (status != MS_OK) {
             free(s->others);
             s->others = NULL;
@@ -457,8 +460,7 @@ static inline ms_status studio_update(studio *s, ms_error *error)
         ms_gpr_destroy(s->gp);
         s->gp = found;
         s->objective = report.objective;
-        s->outlier = report.outlier;
-        s->explained = report.explained;
+        s->outlier = warnings_judge(s->gp, &s->explained);
     } else {
         ms_gpr_destroy(found);
     }

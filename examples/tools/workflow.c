@@ -104,10 +104,10 @@ static ms_status score_gallery(flow *f)
 
 static ms_status learn(flow *f)
 {
-    ms_gpr_fit_report report;
-    ms_status status = ms_gpr_fit(f->x, f->y, f->n, M, NULL, &f->gp, &report, &f->error);
-    if (status == MS_OK && warning_of(f->gp, report.explained, f->warning))
-        fprintf(stderr, "warning: %s\n", f->warning);
+    double explained = 0;
+    ms_status status = ms_gpr_fit(f->x, f->y, f->n, M, NULL, &f->gp, NULL, &f->error);
+    if (status == MS_OK) warnings_judge(f->gp, &explained);
+    if (status == MS_OK && warning_of(f->gp, explained, f->warning)) fprintf(stderr, "warning: %s\n", f->warning);
     return status;
 }
 

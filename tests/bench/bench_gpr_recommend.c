@@ -144,10 +144,11 @@ static void figure_of_galleries(void)
                 ms_gpr *gp;
                 double d;
                 memset(&g, 0, sizeof g);
-                g.kind = kind == 1 ? MS_GPR_GALLERY_SPREAD : MS_GPR_GALLERY_ACTIVE;
                 g.seed = (uint64_t)(1000 * i + step);
                 if (ms_gpr_fit(x, y, n, M, NULL, &gp, NULL, NULL) != MS_OK) continue;
                 d = divergence(gp, held_out, truth);
+                if (kind == 1) ms_gpr_destroy(gp); /* one that knows nothing spreads its galleries */
+                if (kind == 1 && ms_gpr_fit(NULL, NULL, 0, M, NULL, &gp, NULL, NULL) != MS_OK) continue;
                 if (kind == 2) user_gallery(u, STEP, x + n * M, y + n, &state);
                 else ms_gpr_gallery(gp, &g, STEP, x + n * M, NULL);
                 for (k = n; kind < 2 && k < n + STEP; ++k) y[k] = user_score(u, x + k * M, &state);
