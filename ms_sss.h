@@ -1724,7 +1724,6 @@ typedef struct MS__F(group) {
     MS__V light[3], weight[3], elevated[3];
     MS__F(tap) outer[2]; /* by surface: of the pair before, which is further out */
     float least, most;   /* pixels per mm of the active lanes */
-    int active;          /* whether a lane is unmasked and has a kernel of more than half a pixel */
 } MS__F(group);
 
 /* What a pair of taps finds: weights, weights times depth under the tangent plane, light; of both sides or, by depth
@@ -1735,7 +1734,8 @@ typedef struct MS__F(found) {
 
 static MS_SSS__INLINE MS__MASK MS__F(active)(const ms_sss__pass *p, MS__V z)
 {
-    return MS__BOTH(MS__F(unmasked)(z), MS__LESS(MS__SET(p->pixels_per_mm_half), MS__F(pixels_per_mm)(p, z)));
+    const MS__V half = MS__SET(p->pixels_per_mm_half);
+    return MS__BOTH(MS__F(unmasked)(z), MS__LESS(p->perspective ? MS__MUL(half, z) : half, MS__SET(p->pixels_per_mm)));
 }
 
 /* Pixels per mm along the line's axis. */
@@ -1744,24 +1744,28 @@ static MS_SSS__INLINE MS__V MS__F(size)(const ms_sss__pass *p, const ms_sss__wei
     return by == MS_SSS__BY_SURFACE ? MS__LOAD(l->plane[0] + x) : MS__F(pixels_per_mm)(p, MS__LOAD(l->from[3] + x));
 }
 
-static MS_SSS__INLINE void MS__F(begin_group)(const ms_sss__pass *p, const ms_sss__weights by, const ms_sss__line *l,
-                                              int x, MS__F(group) * g)
+/* 0: no lane is unmasked and has a kernel of more than half a pixel. */
+static MS_SSS__INLINE int MS__F(begin_group)(const ms_sss__pass *p, const ms_sss__weights by, const ms_sss__line *l,
+                                             int x, MS__F(group) * g)
 {
-    const MS__V size = MS__F(size)(p, by, l, x);
+    const MS__V zero = MS__SET(0.0f), size = MS__F(size)(p, by, l, x);
     const MS__MASK active = MS__F(active)(p, MS__LOAD(l->from[3] + x));
     float unused;
     int c;
-    g->active = MS__BITS(active) != 0;
+    if (!MS__BITS(active)) return 0;
     g->least = g->most = p->pixels_per_mm;
     if (p->perspective || by == MS_SSS__BY_SURFACE) {
         MS__F(extremes)(MS__SELECT(active, size, MS__SET(INFINITY)), &g->least, &unused);
-        MS__F(extremes)(MS__SELECT(active, size, MS__SET(0.0f)), &unused, &g->most);
+        MS__F(extremes)(MS__SELECT(active, size, zero), &unused, &g->most);
     }
-    memset(g->outer, 0, sizeof g->outer);
     MS__UNROLL
     for (c = 0; c < 3; ++c) {
-        g->weight[c] = g->elevated[c] = g->light[c] = MS__SET(0.0f);
+        g->weight[c] = g->elevated[c] = g->light[c] = zero;
+        g->outer[0].light[c] = g->outer[1].light[c] = zero;
     }
+    MS__UNROLL
+    for (c = 0; c < 2; ++c) g->outer[c].weight = g->outer[c].sine = g->outer[c].height = zero;
+    return 1;
 }
 
 /* Interpolates a pair of taps for all lanes at once: of a tap t pixels away, a pixel j steps away has the share max(0,
@@ -1891,8 +1895,11 @@ static MS_SSS__INLINE void MS__F(taps_row)(const ms_sss__pass *p, const ms_sss__
     int x, k;
     for (x = l->first; x < l->last; x += MS__N) {
         MS__F(group) group;
-        MS__F(begin_group)(p, by, l, x, &group);
-        for (k = p->pair_count; k-- > 0 && group.active;) { /* the smallest weights come first */
+        if (!MS__F(begin_group)(p, by, l, x, &group)) {
+            for (k = 0; k < 3; ++k) MS__STORE(l->to[k] + x, MS__MUL(MS__LOAD(l->from[k] + x), MS__SET(p->total[k])));
+            continue;
+        }
+        for (k = p->pair_count; k-- > 0;) { /* the smallest weights come first */
             const ms_sss__pair *pair = &p->pair[k];
             MS__F(found) found;
             MS__F(read_pair)(p, by, l, pair, &group, x, &found);
@@ -2869,10 +2876,17 @@ static void ms_sss__store(const ms_sss_image *image, int width, int y, int x, in
 static void ms_sss__copy_masked(const ms_sss__job *job, int y, int begin, int end, const float *depth)
 {
     const ms_sss_image *from = &job->frame.input, *to = &job->frame.output;
+    const ptrdiff_t from_step = from->pixel_stride, to_step = to->pixel_stride;
+    const float *in[3];
+    float *out[3];
     int x, c;
+    for (c = 0; c < 3; ++c) {
+        in[c] = ms_sss__pixel(from, c, 0, y);
+        out[c] = ms_sss__pixel(to, c, 0, y);
+    }
     for (x = begin; x < end; ++x) {
         if (depth[x] < MS_SSS__MASKED_DEPTH) continue;
-        for (c = 0; c < 3; ++c) memcpy(ms_sss__pixel(to, c, x, y), ms_sss__pixel(from, c, x, y), sizeof(float));
+        for (c = 0; c < 3; ++c) memcpy(out[c] + x * to_step, in[c] + x * from_step, sizeof(float));
     }
 }
 
@@ -3061,7 +3075,9 @@ static void ms_sss__first_row(const ms_sss__job *job, int task, int y)
     for (c = 0; c < 3; ++c) {
         float *copy = ms_sss__buffer(job, task, MS_SSS__ROW_COPY + c);
         l.to[c] = m->color[c] + y * m->stride;
-        memcpy(copy - MS_SSS__LEFT, l.to[c] - MS_SSS__LEFT, (size_t)m->stride * sizeof(float));
+        ms_sss__fill(copy, -MS_SSS__LEFT, row->first, 0);
+        memcpy(copy + row->first, l.to[c] + row->first, (size_t)(row->last - row->first) * sizeof(float));
+        ms_sss__fill(copy, row->last, (int)m->stride - MS_SSS__LEFT, 0);
         l.from[c] = copy;
         l.plane[c] = along[c] = ms_sss__buffer(job, task, MS_SSS__ROW_TANGENT + c);
     }
