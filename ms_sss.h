@@ -1622,7 +1622,8 @@ static MS_SSS__INLINE void MS__F(slopes_of_normals)(const float *const normal[3]
     *sy = MS__SELECT(sound, MS__DIV(b, facing), zero);
 }
 
-/* Slopes of row y, columns [begin, end), from the depths of rows y - 2 to y + 2, or from normals. */
+/* Slopes of row y, columns [begin, end), from the depths of rows y - 2 to y + 2, or from normals. Vectors of
+   masked pixels alone are left out, as by tangents. */
 static void MS__F(slopes)(const ms_sss__pass *p, const float *const depth[5], const float *const normal[3], int y,
                           int begin, int end, float *const slope[2])
 {
@@ -1633,6 +1634,7 @@ static void MS__F(slopes)(const ms_sss__pass *p, const float *const depth[5], co
         const MS__V z = MS__LOAD(depth[2] + x);
         const MS__MASK valid = MS__F(unmasked)(z);
         MS__V s[2];
+        if (!MS__BITS(valid)) continue;
         if (normal) MS__F(slopes_of_normals)(normal, x, MS__F(ray)(p, x), ry, &s[0], &s[1]);
         for (axis = 0; axis < 2 && !normal; ++axis) {
             const MS__V f = MS__SET(p->focal[axis]);
@@ -1661,9 +1663,10 @@ static void MS__F(tangents)(const ms_sss__pass *p, const float *depth, const flo
     const MS__V ry = MS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
     int x;
     for (x = begin; x < end; x += MS__N) {
-        const MS__V size = MS__F(pixels_per_mm)(p, MS__LOAD(depth + x)), sx = MS__LOAD(slope[0] + x),
+        const MS__V z = MS__LOAD(depth + x), size = MS__F(pixels_per_mm)(p, z), sx = MS__LOAD(slope[0] + x),
                     sy = MS__LOAD(slope[1] + x);
         const MS__V rx = MS__F(ray)(p, x), facing = MS__F(facing)(p, sx, sy, rx, ry);
+        if (!MS__BITS(MS__F(unmasked)(z))) continue;
         MS__STORE(out[0] + x, MS__F(foreshorten)(size, sx, rx, ry));
         MS__STORE(out[1] + x, MS__MUL(sx, MS__SET(1 / p->focal[0])));
         MS__STORE(out[2] + x, facing);
@@ -1691,11 +1694,11 @@ static MS_SSS__INLINE MS__V MS__F(falloff)(MS__V dz)
     return MS__MUL(f, f);
 }
 
-/* (1 - dz^2) / (1 + dz_falloff dz^2) for a pixel dz off the tangent plane, else 0 */
-static MS_SSS__INLINE MS__V MS__F(plane_falloff)(MS__V dz, MS__V dz_falloff)
+/* share (1 - dz^2) / (1 + dz_falloff dz^2) for a pixel dz off the tangent plane, else 0 */
+static MS_SSS__INLINE MS__V MS__F(plane_falloff)(MS__V share, MS__V dz, MS__V dz_falloff)
 {
     const MS__V one = MS__SET(1.0f), q = MS__MIN(MS__MUL(dz, dz), one); /* of masked pixels dz^2 may be infinite */
-    return MS__MUL(MS__SUB(one, q), MS__F(inverse)(MS__MADD(dz_falloff, q, one)));
+    return MS__MUL(MS__NMADD(share, q, share), MS__F(inverse)(MS__MADD(dz_falloff, q, one)));
 }
 
 /* depth less the bound on its rounding, towards 0. */
@@ -1803,7 +1806,7 @@ static MS_SSS__INLINE void MS__F(read_pair)(const ms_sss__pass *p, const ms_sss_
                             scale = p->perspective ? there : one;
                 MS__V dz = MS__SUB(there, z);
                 dz = side ? MS__NMADD(up, scale, dz) : MS__MADD(up, scale, dz);
-                f = MS__MUL(f, MS__F(plane_falloff)(dz, MS__SET(pair->dz_falloff)));
+                f = MS__F(plane_falloff)(f, dz, MS__SET(pair->dz_falloff));
                 found->below[side] = MS__MADD(f, dz, found->below[side]);
             }
             found->weight[to] = MS__ADD(found->weight[to], f);
@@ -2928,7 +2931,9 @@ static void ms_sss__load_depth(const ms_sss__job *job, int y, int task, float *d
     float *buffer = ms_sss__buffer(job, task, MS_SSS__ROW_MAP);
     const float *map;
     int x, part[2], first = 0, last = padded;
-    ms_sss__fill(depth, -MS_SSS__LEFT, (int)job->memory.stride - MS_SSS__LEFT, MS_SSS__MASKED_DEPTH);
+    ms_sss__fill(depth, -MS_SSS__LEFT, 0, MS_SSS__MASKED_DEPTH);
+    ms_sss__fill(depth, f->profile || job->identity ? 0 : width, (int)job->memory.stride - MS_SSS__LEFT,
+                 MS_SSS__MASKED_DEPTH);
     span[0] = 0;
     span[1] = job->identity ? 0 : width;
     if (job->identity) return;
