@@ -1771,9 +1771,8 @@ static MS_SSS__INLINE int MS__F(begin_group)(const ms_sss__pass *p, const ms_sss
     return 1;
 }
 
-/* Interpolates a pair of taps for all lanes at once: of a tap t pixels away, a pixel j steps away has the share max(0,
-   1
-   - |t - j|), for j from the least to the largest t of the lanes. */
+/* Interpolates a pair of taps for all lanes at once: of a tap t pixels away, a pixel j steps away has the share
+   max(0, 1 - |t - j|), for j from the least to the largest t of the lanes. */
 static MS_SSS__INLINE void MS__F(read_pair)(const ms_sss__pass *p, const ms_sss__weights by, const ms_sss__line *l,
                                             const ms_sss__pair *pair, const MS__F(group) * g, int x,
                                             MS__F(found) * found)
@@ -1783,26 +1782,28 @@ static MS_SSS__INLINE void MS__F(read_pair)(const ms_sss__pass *p, const ms_sss_
     const int low = least < (float)MS_SSS__FAR ? (int)least : (int)MS_SSS__FAR,
               high = most < (float)MS_SSS__FAR ? (int)most + 1 : (int)MS_SSS__FAR;
     const MS__V t = MS__F(product)(MS__F(size)(p, by, l, x), MS__SET(offset));
-    /* beyond the picture lie an empty row, or columns */
-    const int before = l->stride ? l->at + 1 : x + MS__N, behind = l->stride ? l->count - l->at : l->count - x;
-    const ptrdiff_t step = l->stride ? l->stride : 1;
+    /* the rows and columns just beyond the picture are empty: floats to them */
+    const ptrdiff_t step = l->stride ? l->stride : 1, before = (l->stride ? l->at + 1 : x + MS__N) * step,
+                    behind = (l->stride ? l->count - l->at : l->count - x) * step;
+    const MS__V gain = by == MS_SSS__BY_SURFACE ? MS__LOAD(l->plane[1] + x) : zero;
+    ptrdiff_t away = low * step;
     int j, side, c;
     MS__UNROLL
     for (side = 0; side < 2; ++side) {
         found->weight[side] = found->below[side] = zero;
         for (c = 0; c < 3; ++c) found->light[side][c] = zero;
     }
-    for (j = low; j <= high; ++j) {
+    for (j = low; j <= high; ++j, away += step) {
         const MS__V steps = MS__SET((float)j), share = MS__MAX(MS__SUB(one, MS__ABS(MS__SUB(t, steps))), zero);
         if (high > low + 2 && !MS__BITS(MS__LESS(zero, share))) continue; /* between the lanes' positions */
         MS__UNROLL
         for (side = 0; side < 2; ++side) {
             const int to = by == MS_SSS__BY_SURFACE ? side : 0;
-            const ptrdiff_t at = side ? x + (j < behind ? j : behind) * step : x - (j < before ? j : before) * step;
+            const ptrdiff_t at = side ? x + (away < behind ? away : behind) : x - (away < before ? away : before);
             MS__V f = share;
             if (by == MS_SSS__BY_DEPTH) f = MS__MUL(f, MS__F(falloff)(MS__SUB(MS__LOAD(l->from[3] + at), z)));
             if (by == MS_SSS__BY_SURFACE) { /* dz from the tangent plane, which rises on one side */
-                const MS__V there = MS__LOAD(l->from[3] + at), up = MS__MUL(MS__LOAD(l->plane[1] + x), steps),
+                const MS__V there = MS__LOAD(l->from[3] + at), up = MS__MUL(gain, steps),
                             scale = p->perspective ? there : one;
                 MS__V dz = MS__SUB(there, z);
                 dz = side ? MS__NMADD(up, scale, dz) : MS__MADD(up, scale, dz);
@@ -2858,38 +2859,21 @@ static void ms_sss__load(const ms_sss__simd *simd, const ms_sss_image *image, in
     }
 }
 
-/* Writes the unmasked ones of `count` pixels from (x, y) on. */
-static void ms_sss__store(const ms_sss_image *image, int width, int y, int x, int count, const float *const in[3],
-                          const float *depth)
+/* Copies those of `count` pixels from (x, y) on that are masked, or those that are not, bit for bit; from: steps of
+   from_step floats. */
+static void ms_sss__copy(const ms_sss_image *image, int width, int y, int x, int count, const float *const from[3],
+                         ptrdiff_t from_step, const float *depth, int masked)
 {
     const ptrdiff_t step = image->pixel_stride;
     float *red = ms_sss__pixel(image, 0, x, y), *green = ms_sss__pixel(image, 1, x, y),
           *blue = ms_sss__pixel(image, 2, x, y);
     int i;
     if (count > width - x) count = width - x;
-    for (i = 0; i < count; ++i, red += step, green += step, blue += step) {
-        if (!(depth[i] < MS_SSS__MASKED_DEPTH)) continue;
-        *red = in[0][i];
-        *green = in[1][i];
-        *blue = in[2][i];
-    }
-}
-
-/* Copies the masked ones of pixels [begin, end) of row y to the output, bit for bit. */
-static void ms_sss__copy_masked(const ms_sss__job *job, int y, int begin, int end, const float *depth)
-{
-    const ms_sss_image *from = &job->frame.input, *to = &job->frame.output;
-    const ptrdiff_t from_step = from->pixel_stride, to_step = to->pixel_stride;
-    const float *in[3];
-    float *out[3];
-    int x, c;
-    for (c = 0; c < 3; ++c) {
-        in[c] = ms_sss__pixel(from, c, 0, y);
-        out[c] = ms_sss__pixel(to, c, 0, y);
-    }
-    for (x = begin; x < end; ++x) {
-        if (depth[x] < MS_SSS__MASKED_DEPTH) continue;
-        for (c = 0; c < 3; ++c) memcpy(out[c] + x * to_step, in[c] + x * from_step, sizeof(float));
+    for (i = 0; i < count; ++i) {
+        if ((depth[i] < MS_SSS__MASKED_DEPTH) == masked) continue;
+        memcpy(red + i * step, from[0] + i * from_step, sizeof(float));
+        memcpy(green + i * step, from[1] + i * from_step, sizeof(float));
+        memcpy(blue + i * step, from[2] + i * from_step, sizeof(float));
     }
 }
 
@@ -2987,8 +2971,10 @@ static void ms_sss__load_row(const ms_sss__job *job, int y, int task, int clear,
         }
     }
     /* the first kernel copies what it masks: later ones write over what is theirs */
-    if (!job->in_place && job->profile == 0 && job->term == 0 && !ms_sss__all_valid(job, y, 0, width))
-        ms_sss__copy_masked(job, y, 0, width, depth);
+    if (!job->in_place && job->profile == 0 && job->term == 0 && !ms_sss__all_valid(job, y, 0, width)) {
+        for (c = 0; c < 3; ++c) in[c] = ms_sss__pixel(&job->frame.input, c, 0, y);
+        ms_sss__copy(&job->frame.output, width, y, 0, width, in, job->frame.input.pixel_stride, depth, 1);
+    }
 }
 
 /* Adds up the terms of columns [x, x + count) of row y, of which blur is the term's second pass; after the last term
@@ -3016,7 +3002,7 @@ static void ms_sss__add_term(const ms_sss__job *job, int task, int y, int x, int
     ms_sss__load(job->simd, &f->input, 3, f->width, y, x, count, buffer, light);
     if (f->strength.channel[0]) ms_sss__load(job->simd, &f->strength, 1, f->width, y, x, count, &map, &strength);
     job->simd->finish(&job->pass, strength, depth, light, job->terms > 1 ? sum : NULL, count, blur);
-    ms_sss__store(&f->output, f->width, y, x, count, result, depth);
+    ms_sss__copy(&f->output, f->width, y, x, count, result, 1, depth, 0);
 }
 
 /* --- taps: two passes over the rows --- */
