@@ -1622,7 +1622,8 @@ static MS_SSS__INLINE void MS__F(slopes_of_normals)(const float *const normal[3]
     *sy = MS__SELECT(sound, MS__DIV(b, facing), zero);
 }
 
-/* Slopes of row y, columns [begin, end), from the depths of rows y - 2 to y + 2, or from normals. */
+/* Slopes of row y, columns [begin, end), from the depths of rows y - 2 to y + 2, or from normals. Vectors of
+   masked pixels alone are left out, as by tangents. */
 static void MS__F(slopes)(const ms_sss__pass *p, const float *const depth[5], const float *const normal[3], int y,
                           int begin, int end, float *const slope[2])
 {
@@ -1633,6 +1634,7 @@ static void MS__F(slopes)(const ms_sss__pass *p, const float *const depth[5], co
         const MS__V z = MS__LOAD(depth[2] + x);
         const MS__MASK valid = MS__F(unmasked)(z);
         MS__V s[2];
+        if (!MS__BITS(valid)) continue;
         if (normal) MS__F(slopes_of_normals)(normal, x, MS__F(ray)(p, x), ry, &s[0], &s[1]);
         for (axis = 0; axis < 2 && !normal; ++axis) {
             const MS__V f = MS__SET(p->focal[axis]);
@@ -1661,9 +1663,10 @@ static void MS__F(tangents)(const ms_sss__pass *p, const float *depth, const flo
     const MS__V ry = MS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
     int x;
     for (x = begin; x < end; x += MS__N) {
-        const MS__V size = MS__F(pixels_per_mm)(p, MS__LOAD(depth + x)), sx = MS__LOAD(slope[0] + x),
+        const MS__V z = MS__LOAD(depth + x), size = MS__F(pixels_per_mm)(p, z), sx = MS__LOAD(slope[0] + x),
                     sy = MS__LOAD(slope[1] + x);
         const MS__V rx = MS__F(ray)(p, x), facing = MS__F(facing)(p, sx, sy, rx, ry);
+        if (!MS__BITS(MS__F(unmasked)(z))) continue;
         MS__STORE(out[0] + x, MS__F(foreshorten)(size, sx, rx, ry));
         MS__STORE(out[1] + x, MS__MUL(sx, MS__SET(1 / p->focal[0])));
         MS__STORE(out[2] + x, facing);
@@ -1691,11 +1694,11 @@ static MS_SSS__INLINE MS__V MS__F(falloff)(MS__V dz)
     return MS__MUL(f, f);
 }
 
-/* (1 - dz^2) / (1 + dz_falloff dz^2) for a pixel dz off the tangent plane, else 0 */
-static MS_SSS__INLINE MS__V MS__F(plane_falloff)(MS__V dz, MS__V dz_falloff)
+/* share (1 - dz^2) / (1 + dz_falloff dz^2) for a pixel dz off the tangent plane, else 0 */
+static MS_SSS__INLINE MS__V MS__F(plane_falloff)(MS__V share, MS__V dz, MS__V dz_falloff)
 {
     const MS__V one = MS__SET(1.0f), q = MS__MIN(MS__MUL(dz, dz), one); /* of masked pixels dz^2 may be infinite */
-    return MS__MUL(MS__SUB(one, q), MS__F(inverse)(MS__MADD(dz_falloff, q, one)));
+    return MS__MUL(MS__NMADD(share, q, share), MS__F(inverse)(MS__MADD(dz_falloff, q, one)));
 }
 
 /* depth less the bound on its rounding, towards 0. */
@@ -1724,7 +1727,6 @@ typedef struct MS__F(group) {
     MS__V light[3], weight[3], elevated[3];
     MS__F(tap) outer[2]; /* by surface: of the pair before, which is further out */
     float least, most;   /* pixels per mm of the active lanes */
-    int active;          /* whether a lane is unmasked and has a kernel of more than half a pixel */
 } MS__F(group);
 
 /* What a pair of taps finds: weights, weights times depth under the tangent plane, light; of both sides or, by depth
@@ -1735,7 +1737,8 @@ typedef struct MS__F(found) {
 
 static MS_SSS__INLINE MS__MASK MS__F(active)(const ms_sss__pass *p, MS__V z)
 {
-    return MS__BOTH(MS__F(unmasked)(z), MS__LESS(MS__SET(p->pixels_per_mm_half), MS__F(pixels_per_mm)(p, z)));
+    const MS__V half = MS__SET(p->pixels_per_mm_half);
+    return MS__BOTH(MS__F(unmasked)(z), MS__LESS(p->perspective ? MS__MUL(half, z) : half, MS__SET(p->pixels_per_mm)));
 }
 
 /* Pixels per mm along the line's axis. */
@@ -1744,29 +1747,32 @@ static MS_SSS__INLINE MS__V MS__F(size)(const ms_sss__pass *p, const ms_sss__wei
     return by == MS_SSS__BY_SURFACE ? MS__LOAD(l->plane[0] + x) : MS__F(pixels_per_mm)(p, MS__LOAD(l->from[3] + x));
 }
 
-static MS_SSS__INLINE void MS__F(begin_group)(const ms_sss__pass *p, const ms_sss__weights by, const ms_sss__line *l,
-                                              int x, MS__F(group) * g)
+/* 0: no lane is unmasked and has a kernel of more than half a pixel. */
+static MS_SSS__INLINE int MS__F(begin_group)(const ms_sss__pass *p, const ms_sss__weights by, const ms_sss__line *l,
+                                             int x, MS__F(group) * g)
 {
-    const MS__V size = MS__F(size)(p, by, l, x);
+    const MS__V zero = MS__SET(0.0f), size = MS__F(size)(p, by, l, x);
     const MS__MASK active = MS__F(active)(p, MS__LOAD(l->from[3] + x));
     float unused;
     int c;
-    g->active = MS__BITS(active) != 0;
+    if (!MS__BITS(active)) return 0;
     g->least = g->most = p->pixels_per_mm;
     if (p->perspective || by == MS_SSS__BY_SURFACE) {
         MS__F(extremes)(MS__SELECT(active, size, MS__SET(INFINITY)), &g->least, &unused);
-        MS__F(extremes)(MS__SELECT(active, size, MS__SET(0.0f)), &unused, &g->most);
+        MS__F(extremes)(MS__SELECT(active, size, zero), &unused, &g->most);
     }
-    memset(g->outer, 0, sizeof g->outer);
     MS__UNROLL
     for (c = 0; c < 3; ++c) {
-        g->weight[c] = g->elevated[c] = g->light[c] = MS__SET(0.0f);
+        g->weight[c] = g->elevated[c] = g->light[c] = zero;
+        g->outer[0].light[c] = g->outer[1].light[c] = zero;
     }
+    MS__UNROLL
+    for (c = 0; c < 2; ++c) g->outer[c].weight = g->outer[c].sine = g->outer[c].height = zero;
+    return 1;
 }
 
-/* Interpolates a pair of taps for all lanes at once: of a tap t pixels away, a pixel j steps away has the share max(0,
-   1
-   - |t - j|), for j from the least to the largest t of the lanes. */
+/* Interpolates a pair of taps for all lanes at once: of a tap t pixels away, a pixel j steps away has the share
+   max(0, 1 - |t - j|), for j from the least to the largest t of the lanes. */
 static MS_SSS__INLINE void MS__F(read_pair)(const ms_sss__pass *p, const ms_sss__weights by, const ms_sss__line *l,
                                             const ms_sss__pair *pair, const MS__F(group) * g, int x,
                                             MS__F(found) * found)
@@ -1776,30 +1782,32 @@ static MS_SSS__INLINE void MS__F(read_pair)(const ms_sss__pass *p, const ms_sss_
     const int low = least < (float)MS_SSS__FAR ? (int)least : (int)MS_SSS__FAR,
               high = most < (float)MS_SSS__FAR ? (int)most + 1 : (int)MS_SSS__FAR;
     const MS__V t = MS__F(product)(MS__F(size)(p, by, l, x), MS__SET(offset));
-    /* beyond the picture lie an empty row, or columns */
-    const int before = l->stride ? l->at + 1 : x + MS__N, behind = l->stride ? l->count - l->at : l->count - x;
-    const ptrdiff_t step = l->stride ? l->stride : 1;
+    /* the rows and columns just beyond the picture are empty: floats to them */
+    const ptrdiff_t step = l->stride ? l->stride : 1, before = (l->stride ? l->at + 1 : x + MS__N) * step,
+                    behind = (l->stride ? l->count - l->at : l->count - x) * step;
+    const MS__V gain = by == MS_SSS__BY_SURFACE ? MS__LOAD(l->plane[1] + x) : zero;
+    ptrdiff_t away = low * step;
     int j, side, c;
     MS__UNROLL
     for (side = 0; side < 2; ++side) {
         found->weight[side] = found->below[side] = zero;
         for (c = 0; c < 3; ++c) found->light[side][c] = zero;
     }
-    for (j = low; j <= high; ++j) {
+    for (j = low; j <= high; ++j, away += step) {
         const MS__V steps = MS__SET((float)j), share = MS__MAX(MS__SUB(one, MS__ABS(MS__SUB(t, steps))), zero);
         if (high > low + 2 && !MS__BITS(MS__LESS(zero, share))) continue; /* between the lanes' positions */
         MS__UNROLL
         for (side = 0; side < 2; ++side) {
             const int to = by == MS_SSS__BY_SURFACE ? side : 0;
-            const ptrdiff_t at = side ? x + (j < behind ? j : behind) * step : x - (j < before ? j : before) * step;
+            const ptrdiff_t at = side ? x + (away < behind ? away : behind) : x - (away < before ? away : before);
             MS__V f = share;
             if (by == MS_SSS__BY_DEPTH) f = MS__MUL(f, MS__F(falloff)(MS__SUB(MS__LOAD(l->from[3] + at), z)));
             if (by == MS_SSS__BY_SURFACE) { /* dz from the tangent plane, which rises on one side */
-                const MS__V there = MS__LOAD(l->from[3] + at), up = MS__MUL(MS__LOAD(l->plane[1] + x), steps),
+                const MS__V there = MS__LOAD(l->from[3] + at), up = MS__MUL(gain, steps),
                             scale = p->perspective ? there : one;
                 MS__V dz = MS__SUB(there, z);
                 dz = side ? MS__NMADD(up, scale, dz) : MS__MADD(up, scale, dz);
-                f = MS__MUL(f, MS__F(plane_falloff)(dz, MS__SET(pair->dz_falloff)));
+                f = MS__F(plane_falloff)(f, dz, MS__SET(pair->dz_falloff));
                 found->below[side] = MS__MADD(f, dz, found->below[side]);
             }
             found->weight[to] = MS__ADD(found->weight[to], f);
@@ -1891,8 +1899,11 @@ static MS_SSS__INLINE void MS__F(taps_row)(const ms_sss__pass *p, const ms_sss__
     int x, k;
     for (x = l->first; x < l->last; x += MS__N) {
         MS__F(group) group;
-        MS__F(begin_group)(p, by, l, x, &group);
-        for (k = p->pair_count; k-- > 0 && group.active;) { /* the smallest weights come first */
+        if (!MS__F(begin_group)(p, by, l, x, &group)) {
+            for (k = 0; k < 3; ++k) MS__STORE(l->to[k] + x, MS__MUL(MS__LOAD(l->from[k] + x), MS__SET(p->total[k])));
+            continue;
+        }
+        for (k = p->pair_count; k-- > 0;) { /* the smallest weights come first */
             const ms_sss__pair *pair = &p->pair[k];
             MS__F(found) found;
             MS__F(read_pair)(p, by, l, pair, &group, x, &found);
@@ -2847,31 +2858,21 @@ static void ms_sss__load(const ms_sss__simd *simd, const ms_sss_image *image, in
     }
 }
 
-/* Writes the unmasked ones of `count` pixels from (x, y) on. */
-static void ms_sss__store(const ms_sss_image *image, int width, int y, int x, int count, const float *const in[3],
-                          const float *depth)
+/* Copies those of `count` pixels from (x, y) on that are masked, or those that are not, bit for bit; from: steps of
+   from_step floats. */
+static void ms_sss__copy(const ms_sss_image *image, int width, int y, int x, int count, const float *const from[3],
+                         ptrdiff_t from_step, const float *depth, int masked)
 {
     const ptrdiff_t step = image->pixel_stride;
     float *red = ms_sss__pixel(image, 0, x, y), *green = ms_sss__pixel(image, 1, x, y),
           *blue = ms_sss__pixel(image, 2, x, y);
     int i;
     if (count > width - x) count = width - x;
-    for (i = 0; i < count; ++i, red += step, green += step, blue += step) {
-        if (!(depth[i] < MS_SSS__MASKED_DEPTH)) continue;
-        *red = in[0][i];
-        *green = in[1][i];
-        *blue = in[2][i];
-    }
-}
-
-/* Copies the masked ones of pixels [begin, end) of row y to the output, bit for bit. */
-static void ms_sss__copy_masked(const ms_sss__job *job, int y, int begin, int end, const float *depth)
-{
-    const ms_sss_image *from = &job->frame.input, *to = &job->frame.output;
-    int x, c;
-    for (x = begin; x < end; ++x) {
-        if (depth[x] < MS_SSS__MASKED_DEPTH) continue;
-        for (c = 0; c < 3; ++c) memcpy(ms_sss__pixel(to, c, x, y), ms_sss__pixel(from, c, x, y), sizeof(float));
+    for (i = 0; i < count; ++i) {
+        if ((depth[i] < MS_SSS__MASKED_DEPTH) == masked) continue;
+        memcpy(red + i * step, from[0] + i * from_step, sizeof(float));
+        memcpy(green + i * step, from[1] + i * from_step, sizeof(float));
+        memcpy(blue + i * step, from[2] + i * from_step, sizeof(float));
     }
 }
 
@@ -2913,7 +2914,9 @@ static void ms_sss__load_depth(const ms_sss__job *job, int y, int task, float *d
     float *buffer = ms_sss__buffer(job, task, MS_SSS__ROW_MAP);
     const float *map;
     int x, part[2], first = 0, last = padded;
-    ms_sss__fill(depth, -MS_SSS__LEFT, (int)job->memory.stride - MS_SSS__LEFT, MS_SSS__MASKED_DEPTH);
+    ms_sss__fill(depth, -MS_SSS__LEFT, 0, MS_SSS__MASKED_DEPTH);
+    ms_sss__fill(depth, f->profile || job->identity ? 0 : width, (int)job->memory.stride - MS_SSS__LEFT,
+                 MS_SSS__MASKED_DEPTH);
     span[0] = 0;
     span[1] = job->identity ? 0 : width;
     if (job->identity) return;
@@ -2967,8 +2970,10 @@ static void ms_sss__load_row(const ms_sss__job *job, int y, int task, int clear,
         }
     }
     /* the first kernel copies what it masks: later ones write over what is theirs */
-    if (!job->in_place && job->profile == 0 && job->term == 0 && !ms_sss__all_valid(job, y, 0, width))
-        ms_sss__copy_masked(job, y, 0, width, depth);
+    if (!job->in_place && job->profile == 0 && job->term == 0 && !ms_sss__all_valid(job, y, 0, width)) {
+        for (c = 0; c < 3; ++c) in[c] = ms_sss__pixel(&job->frame.input, c, 0, y);
+        ms_sss__copy(&job->frame.output, width, y, 0, width, in, job->frame.input.pixel_stride, depth, 1);
+    }
 }
 
 /* Adds up the terms of columns [x, x + count) of row y, of which blur is the term's second pass; after the last term
@@ -2996,7 +3001,7 @@ static void ms_sss__add_term(const ms_sss__job *job, int task, int y, int x, int
     ms_sss__load(job->simd, &f->input, 3, f->width, y, x, count, buffer, light);
     if (f->strength.channel[0]) ms_sss__load(job->simd, &f->strength, 1, f->width, y, x, count, &map, &strength);
     job->simd->finish(&job->pass, strength, depth, light, job->terms > 1 ? sum : NULL, count, blur);
-    ms_sss__store(&f->output, f->width, y, x, count, result, depth);
+    ms_sss__copy(&f->output, f->width, y, x, count, result, 1, depth, 0);
 }
 
 /* --- taps: two passes over the rows --- */
@@ -3060,7 +3065,9 @@ static void ms_sss__first_row(const ms_sss__job *job, int task, int y)
     for (c = 0; c < 3; ++c) {
         float *copy = ms_sss__buffer(job, task, MS_SSS__ROW_COPY + c);
         l.to[c] = m->color[c] + y * m->stride;
-        memcpy(copy - MS_SSS__LEFT, l.to[c] - MS_SSS__LEFT, (size_t)m->stride * sizeof(float));
+        ms_sss__fill(copy, -MS_SSS__LEFT, row->first, 0);
+        memcpy(copy + row->first, l.to[c] + row->first, (size_t)(row->last - row->first) * sizeof(float));
+        ms_sss__fill(copy, row->last, (int)m->stride - MS_SSS__LEFT, 0);
         l.from[c] = copy;
         l.plane[c] = along[c] = ms_sss__buffer(job, task, MS_SSS__ROW_TANGENT + c);
     }
