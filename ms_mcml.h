@@ -1731,9 +1731,9 @@ static ms_status ms_mcml__check_medium(const ms_mcml_medium *medium, ms_error *e
 
 enum { MS_MCML__SOLVE_DOUBLES = (int)MS_MCML__FIT_DOUBLES + (int)MS_MCML__TRIANGLE };
 
-/* Part of the entering light that leaves after two collisions and more. single: the part that leaves after one. A part in
-   proportion to nu = sqrt(3 (1 - albedo)) is absorbed between two meetings with the boundary, which holds most of it
-   back: for a slow decay, lost / left is that of t times nu / t, since the rounding of the albedo would be felt. */
+/* Part of the entering light that leaves after two collisions and more. single: the part that leaves after one. Between
+   two meetings with the boundary, which may hold most of it back, a part in proportion to nu = sqrt(3 (1 - albedo)) is
+   absorbed: for a slow decay lost / left is that of t times nu / t, since the albedo's rounding would be felt. */
 static double ms_mcml__multiple_total(const ms_mcml__cone *cone, double albedo, double nu, double depth_step,
                                       double entering, double single, double *work)
 {
