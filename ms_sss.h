@@ -1064,6 +1064,7 @@ typedef enum ms_sss__weights {
    by, narrower ones cost less: 1.75 and 2.2 of six pixels, wide 2.24 and 3.74 of eight. A wide level 0 of 2.5 or 2.8 is
    nearer to random walks, but its error on textures is 1.2% or 1.6% higher. */
 #define MS_SSS__GATHER(wide, level) ((wide) ? ((level) > 0 ? 14.0f : 5.0f) : (level) > 0 ? 4.84f : 3.0625f)
+#define MS_SSS__FACET 0.02f /* pixels of level 1, along the normal: three times what triangles of 3 pixels bend */
 
 /* A pixel of the next coarser level that a gather reads. */
 typedef struct ms_sss__gather_tap {
@@ -1090,7 +1091,8 @@ typedef struct ms_sss__pyramid_params {
     int taps;                               /* of each of the four lists */
     int sums;                               /* whether the coarser level has sums */
     ptrdiff_t plane;                        /* floats from a plane of the coarser level to the next */
-    float norm, mean, spread;               /* of the gather's taps: 1 / sum, E r / E r^2, E r^2 / E r^4 */
+    float norm, mean, spread, bend;         /* of the gather's taps: 1 / sum, E r / E r^2, E r^2 / E r^4, E r^2 over
+                                               2 E x^2, x from pixel to pixel */
     float blur;                             /* variance of a position within a pixel of the next level */
     float rounding;                         /* twice the relative error of d */
     float plane_rounding;                   /* on planes the gather's taps are less than this off the tangent plane, in
@@ -2180,6 +2182,7 @@ typedef struct MS__F(site) {
     MS__V cosine;        /* of the normal to the ray, 0 where there is no tangent plane on this level */
     MS__V shrink;        /* 1 / the surface's area over that of its picture, at least 1 / 1.5 */
     MS__V rounding;      /* bound on the distance of planes from their tangent plane by rounding */
+    MS__V facet;         /* see MS_SSS__FACET */
 } MS__F(site);
 
 /* Sums of a gather: weights; light; moments of sin(theta), or with `wide` weights times the factor of elevation. */
@@ -2213,7 +2216,9 @@ static MS_SSS__INLINE void MS__F(gather_sums)(const ms_sss__pyramid_params *s, c
 }
 
 /* Light of the coarser level by (1 - r^2 / radius^2)^2 (wide: ^3) of the distance on the surface and by the area that
-   each pixel shows. Elevation: wide, of every pixel; else of the mean and mean square of sin(theta). */
+   each pixel shows. Elevation: wide, of every pixel; else of the mean and mean square of sin(theta). Next to a pixel
+   height shows a mesh's triangles, so there it is what half the change of slope along the way gives, or, if it is more
+   than a triangle's height above that, the height itself. */
 static MS_SSS__INLINE void MS__F(gather_light)(const ms_sss__pyramid_params *s, const int wide,
                                                const MS__F(site) * site, MS__V fall, const float *coarse,
                                                const ms_sss__gather_tap *tap, int count, MS__F(gathered) * sum)
@@ -2224,9 +2229,15 @@ static MS_SSS__INLINE void MS__F(gather_light)(const ms_sss__pyramid_params *s, 
         const float *p = coarse + tap[k].at;
         const MS__V dz = MS__MUL(MS__SUB(MS__LOAD(p + 3 * s->plane), site->d), site->pixels_per_d), q = MS__MUL(dz, dz),
                     away = MS__ADD(q, MS__SET(tap[k].square)); /* squared distance */
-        const MS__V off = MS__NMADD(MS__SET(tap[k].x), site->sx, MS__NMADD(MS__SET(tap[k].y), site->sy, dz));
-        const MS__V t = MS__MAX(MS__MADD(away, fall, one), zero);
-        MS__V w = MS__MUL(t, t), sine = off;
+        const MS__V x = MS__SET(tap[k].x), y = MS__SET(tap[k].y), t = MS__MAX(MS__MADD(away, fall, one), zero);
+        MS__V off = MS__NMADD(x, site->sx, MS__NMADD(y, site->sy, dz)), w = MS__MUL(t, t), sine;
+        if (s->level == 0 && s->slope_scale > 0) {
+            const MS__V sx = MS__MUL(MS__LOAD(p + 11 * s->plane), site->pixels_per_d),
+                        sy = MS__MUL(MS__LOAD(p + 12 * s->plane), site->pixels_per_d);
+            const MS__V turn = MS__MADD(x, MS__SUB(sx, site->sx), MS__MUL(y, MS__SUB(sy, site->sy)));
+            off = MS__MAX(MS__SUB(off, site->facet), MS__MUL(turn, MS__SET(s->bend)));
+        }
+        sine = off;
         if (wide) w = MS__MUL(w, t);
         w = MS__SELECT(MS__LESS(q, site->limit2), MS__MUL(w, MS__LOAD(p + 4 * s->plane)), zero);
         sum->n = MS__ADD(sum->n, w);
@@ -2295,6 +2306,9 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
     cap = MS__MIN(area, MS__SET(1.5f));
     site.shrink = MS__DIV(one, cap);
     site.cosine = MS__SELECT(sound, MS__DIV(one, area), zero);
+    site.facet = MS__MUL(area, MS__SET(MS_SSS__FACET));
+    if (s->slope_scale > 0 && s->slope_scale < 1) /* planes are off their flattened slopes */
+        site.facet = MS__MADD(MS__ADD(MS__ABS(site.sx), MS__ABS(site.sy)), MS__SET(2 / s->slope_scale - 2), site.facet);
     site.rounding = MS__SET(s->plane_rounding);
     if (!s->perspective) site.rounding = MS__MUL(d, site.rounding);
     norm = MS__MUL(MS__MUL(site.shrink, site.shrink), MS__SET(s->norm));
@@ -2313,8 +2327,8 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
 
 /* Gathers row y of a level: sums of the next coarser level's light, weighted by distance in space and elevation, plus
    that level's own sums, bilinear. own: d and its changes; coarse: row y / 2, followed by planes of green, blue, d,
-   coverage, three sums of light, three of weights; first, count: columns / 2; out: three sums of light, three of
-   weights. */
+   coverage, three sums of light, three of weights, changes of d; first, count: columns / 2; out: three sums of light,
+   three of weights. */
 static MS_SSS__INLINE void MS__F(gather_row)(const ms_sss__pyramid_params *s, const int wide, const float *const own[3],
                                              const float *coarse, int first, int count, int y, float *const out[6])
 {
@@ -3435,6 +3449,7 @@ static void ms_sss__pyramid_tap_sums(ms_sss__pyramid_params *params, int level)
     params->norm = (float)(1 / n);
     params->mean = (float)(r1 / r2);
     params->spread = (float)(r2 / r4);
+    params->bend = (float)(0.5 * r2 / (r2 - n * (coarse - fine)));
     params->blur = (float)coarse;
     /* Rounding of two depths; the slopes' error averages over the level, but counts for each of their 3.5 pixels there
        and back; each level's sums add a few roundings. */
@@ -5897,6 +5912,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const
 #undef MS_SSS__LIGHT_MAX
 #undef MS_SSS__FALLOFF_END
 #undef MS_SSS__GATHER
+#undef MS_SSS__FACET
 #undef MS_SSS__NEAR
 #endif /* MS_SSS__BODY */
 

@@ -28,6 +28,8 @@
 #define TAP_MEAN CONSTANT[4].w // E r / E r^2
 #define TAP_SPREAD CONSTANT[5].x // E r^2 / E r^4
 #define TAP_ROUNDING CONSTANT[5].y // what rounding adds to a sine; orthographic: times d
+#define TAP_BEND 0.743933 // E r^2 / 2 E x^2 of the picture's gather, x from pixel to pixel
+#define FACET 0.02 // height of triangles, in pixels of level 1
 #define COARSER CONSTANT[5].w // 0: this is the last level; 1: there is a coarser one; 2: which has sums
 
 #if !BASE
@@ -153,6 +155,8 @@ float raise(float light, float moment, float square, float grain, float quarter,
 
 // The light of the next coarser level from up to 6 x 6 of its pixels around, by weights (1 - r^2 / R^2)^2 of the distance
 // in space, lifted by its elevation over the tangent plane; and that level's sums. Sums of weights go to ms_sss_other.
+// Next to a pixel of the picture height shows a mesh's triangles, so there it is what half the change of slope along the
+// way gives, or, if it is more than a triangle's height above that, the height itself.
 float3 gather(int2 p, float d, float2 change) {
     float cells = COARSE_SIDE;
     float deep = deep_of(d) / cells;
@@ -163,6 +167,7 @@ float3 gather(int2 p, float d, float2 change) {
     float limit = radius / cells;
     float near_plane = 1.0 / (limit * PLANE_REACH);
     float reach = cap * cap * TAP_RADIUS_2;
+    float facet = FACET * area + (abs(slope.x) + abs(slope.y)) * (2.0 / max(PYRAMID_SLOPES, 1e-3) - 2.0);
     float weight = 0.0;
     float square = 0.0;
     float3 light = zero3;
@@ -176,13 +181,16 @@ float3 gather(int2 p, float d, float2 change) {
         float4 there = fetch_coarse(q);
         float dz = (there.a - d) * deep;
         if (!(abs(there.a) > 0.0 && dz * dz < limit * limit)) { continue; }
+        float4 surface = fetch_coarse_surface(q);
         float below = dz - dot(away, slope);
         float t = max(1.0 - (dz * dz + dot(away, away)) / reach, 0.0);
-        float w = t * t * fetch_coarse_surface(q).r;
+        float w = t * t * surface.r;
+        float height = below;
+        if (cells < 3.0) { height = max(below - facet, TAP_BEND * dot(away, surface.gb * deep - slope)); }
         weight = weight + w;
         light = light + w * there.rgb;
-        moment = moment + w * below * there.rgb;
-        square = square + w * below * below;
+        moment = moment + w * height * there.rgb;
+        square = square + w * height * height;
         if (abs(away.x) < 1.0 && abs(away.y) < 1.0 && COARSER > 1.5) {
             t = falloff(below * near_plane) * pick(0.25, 0.75, abs(away.x) < 0.5) * pick(0.25, 0.75, abs(away.y) < 0.5);
             sums = sums + t * fetch_sum(q).rgb;
