@@ -2189,7 +2189,7 @@ typedef struct MS__F(site) {
     MS__V cosine;        /* of the normal to the ray, 0 where there is no tangent plane on this level */
     MS__V shrink;        /* 1 / the surface's area over that of its picture, at least 1 / 1.5 */
     MS__V rounding;      /* bound on the distance of planes from their tangent plane by rounding */
-    MS__V facet;         /* see facet */
+    MS__V facet, area;   /* see facet; of the surface over that of its picture */
 } MS__F(site);
 
 /* Sums of a gather: weights; light; moments of sin(theta), or with `wide` weights times the factor of elevation. */
@@ -2239,10 +2239,9 @@ static MS_SSS__INLINE void MS__F(gather_light)(const ms_sss__pyramid_params *s, 
         const MS__V x = MS__SET(tap[k].x), y = MS__SET(tap[k].y), t = MS__MAX(MS__MADD(away, fall, one), zero);
         MS__V off = MS__NMADD(x, site->sx, MS__NMADD(y, site->sy, dz)), w = MS__MUL(t, t), sine;
         if (s->level == 0 && s->slope_scale > 0) {
-            const MS__V sx = MS__MUL(MS__LOAD(p + 5 * s->plane), site->pixels_per_d),
-                        sy = MS__MUL(MS__LOAD(p + 6 * s->plane), site->pixels_per_d);
-            const MS__V turn = MS__MADD(x, MS__SUB(sx, site->sx), MS__MUL(y, MS__SUB(sy, site->sy)));
-            off = MS__MAX(MS__SUB(off, site->facet), MS__MUL(turn, MS__SET(s->bend)));
+            const MS__V rise = MS__MADD(x, MS__LOAD(p + 5 * s->plane), MS__MUL(y, MS__LOAD(p + 6 * s->plane))),
+                        turn = MS__MADD(rise, site->pixels_per_d, MS__SUB(off, dz));
+            off = MS__MAX(MS__SUB(off, site->facet), MS__MIN(MS__MUL(turn, MS__SET(s->bend)), site->area));
         }
         sine = off;
         if (wide) w = MS__MUL(w, t);
@@ -2314,6 +2313,7 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
     site.shrink = MS__DIV(one, cap);
     site.cosine = MS__SELECT(sound, MS__DIV(one, area), zero);
     site.facet = MS__F(facet)(s, area, site.sx, site.sy);
+    site.area = area; /* sines are at most about 1 */
     site.rounding = MS__SET(s->plane_rounding);
     if (!s->perspective) site.rounding = MS__MUL(d, site.rounding);
     norm = MS__MUL(MS__MUL(site.shrink, site.shrink), MS__SET(s->norm));
