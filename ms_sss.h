@@ -2189,7 +2189,7 @@ typedef struct MS__F(site) {
     MS__V cosine;        /* of the normal to the ray, 0 where there is no tangent plane on this level */
     MS__V shrink;        /* 1 / the surface's area over that of its picture, at least 1 / 1.5 */
     MS__V rounding;      /* bound on the distance of planes from their tangent plane by rounding */
-    MS__V facet, area;   /* see facet; of the surface over that of its picture */
+    MS__V facet, most;   /* see facet; the most that a change of slope counts */
 } MS__F(site);
 
 /* Sums of a gather: weights; light; moments of sin(theta), or with `wide` weights times the factor of elevation. */
@@ -2241,7 +2241,7 @@ static MS_SSS__INLINE void MS__F(gather_light)(const ms_sss__pyramid_params *s, 
         if (s->level == 0 && s->slope_scale > 0) {
             const MS__V rise = MS__MADD(x, MS__LOAD(p + 5 * s->plane), MS__MUL(y, MS__LOAD(p + 6 * s->plane))),
                         turn = MS__MADD(rise, site->pixels_per_d, MS__SUB(off, dz));
-            off = MS__MAX(MS__SUB(off, site->facet), MS__MIN(MS__MUL(turn, MS__SET(s->bend)), site->area));
+            off = MS__MAX(MS__SUB(off, site->facet), MS__MIN(MS__MUL(turn, MS__SET(s->bend)), site->most));
         }
         sine = off;
         if (wide) w = MS__MUL(w, t);
@@ -2313,7 +2313,7 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
     site.shrink = MS__DIV(one, cap);
     site.cosine = MS__SELECT(sound, MS__DIV(one, area), zero);
     site.facet = MS__F(facet)(s, area, site.sx, site.sy);
-    site.area = area; /* sines are at most about 1 */
+    site.most = MS__MUL(area, MS__SET(0.5f)); /* sines up to about a half: steep slopes are not sure */
     site.rounding = MS__SET(s->plane_rounding);
     if (!s->perspective) site.rounding = MS__MUL(d, site.rounding);
     norm = MS__MUL(MS__MUL(site.shrink, site.shrink), MS__SET(s->norm));

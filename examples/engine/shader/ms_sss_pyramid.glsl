@@ -191,7 +191,7 @@ float3 gather(int2 p, float d, float2 change) {
         float t = max(1.0 - (dz * dz + dot(away, away)) / reach, 0.0);
         float w = t * t * surface.r;
         float bend = below;
-        if (cells < 3.0) { bend = max(below - facet, min(TAP_BEND * dot(away, surface.gb * deep - slope), area)); }
+        if (cells < 3.0) { bend = max(below - facet, min(TAP_BEND * dot(away, surface.gb * deep - slope), 0.5 * area)); }
         weight = weight + w;
         light = light + w * there.rgb;
         moment = moment + w * bend * there.rgb;
