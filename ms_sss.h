@@ -1090,7 +1090,8 @@ typedef struct ms_sss__pyramid_params {
     int taps;                               /* of each of the four lists */
     int sums;                               /* whether the coarser level has sums */
     ptrdiff_t plane;                        /* floats from a plane of the coarser level to the next */
-    float norm, mean, spread;               /* of the gather's taps: 1 / sum, E r / E r^2, E r^2 / E r^4 */
+    float norm, mean, spread, bend;         /* of the gather's taps: 1 / sum, E r / E r^2, E r^2 / E r^4, E r^2 over
+                                               2 E x^2, x from pixel to pixel */
     float blur;                             /* variance of a position within a pixel of the next level */
     float rounding;                         /* twice the relative error of d */
     float plane_rounding;                   /* on planes the gather's taps are less than this off the tangent plane, in
@@ -1994,10 +1995,10 @@ static void MS__F(slopes_of_d)(const ms_sss__pyramid_params *s, const float *con
 
 /* Where a pixel of the coarser level lies on its surface: that of the nearest of its middle four pixels. */
 typedef struct MS__F(anchor) {
-    MS__V d, dx, dy;  /* d at the middle of the four, its changes a pixel */
-    MS__V nearest;    /* d of the nearest pixel */
-    MS__V per_radius; /* 1 / the kernel's radius, in d */
-    MS__MASK some;    /* lanes that have a pixel at all */
+    MS__V d, change[2]; /* d at the middle of the four, its changes a pixel */
+    MS__V nearest;      /* d of the nearest pixel */
+    MS__V per_radius;   /* 1 / the kernel's radius, in d */
+    MS__MASK some;      /* lanes that have a pixel at all */
 } MS__F(anchor);
 
 /* The nearest of the middle four that has a quarter of the largest coverage. row: as in downsample_row. */
@@ -2019,24 +2020,23 @@ static MS_SSS__INLINE MS__F(anchor) MS__F(find_anchor)(const ms_sss__pyramid_par
     }
     a.some = MS__LESS(zero, most);
     a.d = MS__SET(INFINITY);
-    a.dx = a.dy = zero;
+    a.change[0] = a.change[1] = zero;
     most = MS__MUL(most, MS__SET(0.25f));
     for (y = 0; y < 2; ++y)
         for (x = 0; x < 2; ++x) {
             const MS__MASK better = MS__BOTH(MS__LESS(most, coverage[y][x]), MS__LESS(middle[y][x], a.d));
             a.d = MS__SELECT(better, middle[y][x], a.d);
-            for (c = 5; c < 7; ++c) {
-                const MS__V u = MS__LOAD(row[y + 1][c] + 2 * i), v = MS__LOAD(row[y + 1][c] + 2 * i + MS__N),
-                            there = x ? MS__ODDS(u, v) : MS__EVENS(u, v);
-                if (c == 5) a.dx = MS__SELECT(better, there, a.dx);
-                else a.dy = MS__SELECT(better, there, a.dy);
+            for (c = 0; c < 2; ++c) {
+                const float *change = row[y + 1][5 + c] + 2 * i;
+                const MS__V u = MS__LOAD(change), v = MS__LOAD(change + MS__N);
+                a.change[c] = MS__SELECT(better, x ? MS__ODDS(u, v) : MS__EVENS(u, v), a.change[c]);
             }
             bx = MS__SELECT(better, MS__SET((float)x - 0.5f), bx);
             by = MS__SELECT(better, MS__SET((float)y - 0.5f), by);
         }
     a.d = a.nearest = MS__SELECT(a.some, a.d, MS__SET(-1.0f));
     a.per_radius = MS__DIV(MS__F(pixels_per_d)(s, a.d), MS__F(radius)(s, a.d));
-    a.d = MS__SUB(a.d, MS__ADD(MS__F(product)(bx, a.dx), MS__F(product)(by, a.dy)));
+    a.d = MS__SUB(a.d, MS__ADD(MS__F(product)(bx, a.change[0]), MS__F(product)(by, a.change[1])));
     return a;
 }
 
@@ -2069,7 +2069,8 @@ static MS_SSS__INLINE void MS__F(merge_columns)(const MS__F(anchor) * a, const M
         const int near_sides = (half != x) + (y == 1 || y == 2);
         const MS__V there = v[3][x], away = MS__SUB(there, a->nearest), along = MS__SET((float)(2 * half + x) - 1.5f);
         /* d moved to the middle along the plane */
-        const MS__V level = MS__SUB(there, MS__ADD(MS__F(product)(along, a->dx), MS__F(product)(down, a->dy)));
+        const MS__V level = MS__SUB(there,
+                                    MS__ADD(MS__F(product)(along, a->change[0]), MS__F(product)(down, a->change[1])));
         const MS__V off = MS__MUL(MS__SUB(level, a->d), narrow[near_sides]);
         MS__MASK counts;
         f[x] = MS__MAX(MS__SUB(MS__SET(root[near_sides]), MS__F(product)(off, off)), zero);
@@ -2183,6 +2184,14 @@ static MS_SSS__INLINE MS__V MS__F(bounded)(MS__V n, MS__V elevated, float most)
     return MS__SELECT(MS__LESS(limit, elevated), MS__DIV(limit, MS__MAX(elevated, MS__SET(1e-30f))), MS__SET(1.0f));
 }
 
+/* Distance from the tangent plane, in pixels, that says nothing of the shape next to a pixel: what triangles of a mesh
+   bulge (0.01 shows those of 4 pixels at radii of 7), and planes off slopes that options.flat reduced. */
+static MS_SSS__INLINE MS__V MS__F(facet)(const ms_sss__pyramid_params *s, MS__V area, MS__V sx, MS__V sy)
+{
+    const float flattened = s->slope_scale > 0 ? 1 / s->slope_scale - 1 : 0;
+    return MS__MADD(MS__ADD(MS__ABS(sx), MS__ABS(sy)), MS__SET(2 * flattened), MS__MUL(area, MS__SET(0.02f)));
+}
+
 /* The surface at the pixels that gather. Lengths are in pixels of the coarser level. */
 typedef struct MS__F(site) {
     MS__V d, pixels_per_d;
@@ -2191,6 +2200,7 @@ typedef struct MS__F(site) {
     MS__V cosine;        /* of the normal to the ray, 0 where there is no tangent plane on this level */
     MS__V shrink;        /* 1 / the surface's area over that of its picture, at least 1 / 1.5 */
     MS__V rounding;      /* bound on the distance of planes from their tangent plane by rounding */
+    MS__V facet, most;   /* see facet; the most that a change of slope counts */
 } MS__F(site);
 
 /* Sums of a gather: weights; light; moments of sin(theta), or with `wide` weights times the factor of elevation. */
@@ -2219,12 +2229,14 @@ static MS_SSS__INLINE void MS__F(gather_sums)(const ms_sss__pyramid_params *s, c
         t = MS__MUL(t, t);
         t = MS__SELECT(MS__LESS(MS__ABS(depth), site->limit), t, zero);
         MS__UNROLL
-        for (c = 0; c < 6; ++c) sum[c] = MS__MADD(t, MS__LOAD(p + (5 + c) * s->plane), sum[c]);
+        for (c = 0; c < 6; ++c) sum[c] = MS__MADD(t, MS__LOAD(p + (7 + c) * s->plane), sum[c]);
     }
 }
 
 /* Light of the coarser level by (1 - r^2 / radius^2)^2 (wide: ^3) of the distance on the surface and by the area that
-   each pixel shows. Elevation: wide, of every pixel; else of the mean and mean square of sin(theta). */
+   each pixel shows. Elevation: wide, of every pixel; else of the mean and mean square of sin(theta). Near a pixel
+   of the picture the depth below its plane shows a mesh's triangles; there it is taken from half the change of slope
+   along the way, unless a pixel lies deeper by more than a triangle bulges. */
 static MS_SSS__INLINE void MS__F(gather_light)(const ms_sss__pyramid_params *s, const int wide,
                                                const MS__F(site) * site, MS__V fall, const float *coarse,
                                                const ms_sss__gather_tap *tap, int count, MS__F(gathered) * sum)
@@ -2235,9 +2247,14 @@ static MS_SSS__INLINE void MS__F(gather_light)(const ms_sss__pyramid_params *s, 
         const float *p = coarse + tap[k].at;
         const MS__V dz = MS__MUL(MS__SUB(MS__LOAD(p + 3 * s->plane), site->d), site->pixels_per_d), q = MS__MUL(dz, dz),
                     away = MS__ADD(q, MS__SET(tap[k].square)); /* squared distance */
-        const MS__V off = MS__NMADD(MS__SET(tap[k].x), site->sx, MS__NMADD(MS__SET(tap[k].y), site->sy, dz));
-        const MS__V t = MS__MAX(MS__MADD(away, fall, one), zero);
-        MS__V w = MS__MUL(t, t), sine = off;
+        const MS__V x = MS__SET(tap[k].x), y = MS__SET(tap[k].y), t = MS__MAX(MS__MADD(away, fall, one), zero);
+        MS__V off = MS__NMADD(x, site->sx, MS__NMADD(y, site->sy, dz)), w = MS__MUL(t, t), sine;
+        if (s->level == 0 && s->slope_scale > 0) {
+            const MS__V rise = MS__MADD(x, MS__LOAD(p + 5 * s->plane), MS__MUL(y, MS__LOAD(p + 6 * s->plane))),
+                        turn = MS__MADD(rise, site->pixels_per_d, MS__SUB(off, dz));
+            off = MS__MAX(MS__SUB(off, site->facet), MS__MIN(MS__MUL(turn, MS__SET(s->bend)), site->most));
+        }
+        sine = off;
         if (wide) w = MS__MUL(w, t);
         w = MS__SELECT(MS__LESS(q, site->limit2), MS__MUL(w, MS__LOAD(p + 4 * s->plane)), zero);
         sum->n = MS__ADD(sum->n, w);
@@ -2306,6 +2323,8 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
     cap = MS__MIN(area, MS__SET(1.5f));
     site.shrink = MS__DIV(one, cap);
     site.cosine = MS__SELECT(sound, MS__DIV(one, area), zero);
+    site.facet = MS__F(facet)(s, area, site.sx, site.sy);
+    site.most = MS__MUL(area, MS__SET(0.5f)); /* sines up to about a half: steep slopes are not sure */
     site.rounding = MS__SET(s->plane_rounding);
     if (!s->perspective) site.rounding = MS__MUL(d, site.rounding);
     norm = MS__MUL(MS__MUL(site.shrink, site.shrink), MS__SET(s->norm));
@@ -2324,8 +2343,7 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
 
 /* Gathers row y of a level: sums of the next coarser level's light, weighted by distance in space and elevation, plus
    that level's own sums, bilinear. own: d and its changes; coarse: row y / 2, followed by planes of green, blue, d,
-   coverage, three sums of light, three of weights; first, count: columns / 2; out: three sums of light, three of
-   weights. */
+   coverage, changes of d, three sums of light, three of weights; first, count: columns / 2; out: the six sums. */
 static MS_SSS__INLINE void MS__F(gather_row)(const ms_sss__pyramid_params *s, const int wide, const float *const own[3],
                                              const float *coarse, int first, int count, int y, float *const out[6])
 {
@@ -2362,8 +2380,8 @@ static void MS__F(gather)(const ms_sss__pyramid_params *s, const float *const ow
 
 /* --- the picture's own level --- */
 
-/* A pixel's neighbors: light and weights by (1, 2, 1) / 4 both ways, of those near its tangent plane, elevated as by
-   gather. radius: of the kernel in pixels. Elevation counts in full up to 10 pixels and not from 20 on: with larger
+/* A pixel's neighbors: light and weights by (1, 2, 1) / 4 both ways, of those near its tangent plane, elevated by
+   what they lie below it. radius: of the kernel in pixels. Elevation counts in full up to 10 pixels and not from 20 on: with larger
    kernels it adds to the error against random walks. */
 static MS_SSS__INLINE void MS__F(gather_neighbors)(const ms_sss__pyramid_params *s, const float *const row[4],
                                                    ptrdiff_t stride, int i, MS__V d, MS__V dx, MS__V dy, MS__V coverage,
@@ -2374,8 +2392,9 @@ static MS_SSS__INLINE void MS__F(gather_neighbors)(const ms_sss__pyramid_params 
     const MS__V pixels_per_d = MS__F(pixels_per_d)(s, MS__SELECT(MS__LESS(zero, MS__ABS(d)), d, MS__SET(-1.0f)));
     const MS__V corner = MS__MUL(pixels_per_d, quarter), edge = MS__MUL(pixels_per_d, MS__SET(0.29730178f));
     const MS__V fade = MS__F(bound)(MS__NMADD(radius, MS__SET(0.1f), MS__SET(2.0f)), zero, one),
-                cosine = MS__MUL(fade, MS__F(inverse)(MS__MAX(coverage, one))),
-                rounding = MS__MUL(s->perspective ? one : d, MS__SET(2 * s->plane_rounding));
+                area = MS__MAX(coverage, one), cosine = MS__MUL(fade, MS__F(inverse)(area)),
+                rounding = MS__MUL(s->perspective ? one : d, MS__SET(2 * s->plane_rounding)),
+                facet = MS__ADD(rounding, MS__F(facet)(s, area, MS__MUL(dx, pixels_per_d), MS__MUL(dy, pixels_per_d)));
     int j, k, c;
     sum->n = quarter;
     MS__UNROLL
@@ -2397,8 +2416,8 @@ static MS_SSS__INLINE void MS__F(gather_neighbors)(const ms_sss__pyramid_params 
             f = MS__SELECT(MS__LESS(zero, MS__ABS(there)), f, zero);
             sum->n = MS__ADD(sum->n, f);
             /* sin(theta) over the distance of 1 or sqrt(2) pixels */
-            sine = MS__MUL(MS__F(residual)(MS__MUL(off, pixels_per_d), rounding), cosine);
-            sine = MS__F(bound)(MS__MUL(sine, MS__SET(diagonal ? 0.70710678f : 1.0f)), MS__SET(-1.0f), one);
+            sine = MS__MUL(MS__MAX(MS__SUB(MS__MUL(off, pixels_per_d), facet), zero), cosine);
+            sine = MS__MIN(MS__MUL(sine, MS__SET(diagonal ? 0.70710678f : 1.0f)), one);
             MS__UNROLL
             for (c = 0; c < 3; ++c) {
                 const MS__V w = MS__F(elevate_weight)(s, c, sine, f);
@@ -3151,13 +3170,12 @@ static void ms_sss__apply(ms_sss__job *job, const ms_sss_kernel *kernel, int pro
 
 /* ---- pyramid code ---------------------------------------------------------------------------------------------- */
 
-/* Planes of a level: color, d, coverage, sums of light, sums of weights, changes of d along x and y. */
-enum { MS_SSS__D = 3, MS_SSS__COVERAGE = 4, MS_SSS__SUMS = 5, MS_SSS__CHANGES = 11, MS_SSS__PYRAMID_PLANES = 13 };
+/* Planes of a level: color, d, coverage, changes of d along x and y, sums of light, sums of weights. */
+enum { MS_SSS__D = 3, MS_SSS__CHANGES = 5, MS_SSS__SUMS = 7, MS_SSS__PYRAMID_PLANES = 13 };
 
 enum {
-    MS_SSS__PYRAMID_ROWS = 12,  /* of a task: coverage and changes of d of four rows; or sums and those of one row */
-    MS_SSS__PYRAMID_SERIAL = 3, /* levels from here on run on one thread */
-    MS_SSS__PYRAMID_MARGIN = 4  /* rows above and below a level that a gather may read */
+    MS_SSS__PYRAMID_ROWS = 12, /* of a task: coverage and changes of d of four rows; or sums and those of one row */
+    MS_SSS__PYRAMID_MARGIN = 4 /* rows above and below a level that a gather may read */
 };
 
 typedef struct ms_sss__level {
@@ -3240,12 +3258,11 @@ static void ms_sss__pyramid_load(void *context, int task)
     float *depth = ms_sss__buffer(job, task, MS_SSS__ROW_DEPTH), *color[3];
     int y, c;
     for (y = ms_sss__band_begin(job, task); y < ms_sss__band_end(job, task); ++y) {
-        int first, last;
+        const ms_sss__row *row = &v->row[y];
         for (c = 0; c < 3; ++c) color[c] = v->plane[c] + y * v->stride;
         ms_sss__load_row(job, y, task, 0, color, depth);
-        first = v->row[y].first;
-        last = v->row[y].last;
-        job->simd->depth_to_d(&state->params, depth + first, last - first, v->plane[MS_SSS__D] + y * v->stride + first);
+        job->simd->depth_to_d(&state->params, depth + row->first, row->last - row->first,
+                              v->plane[MS_SSS__D] + y * v->stride + row->first);
     }
 }
 
@@ -3286,10 +3303,7 @@ static void ms_sss__pyramid_four_rows(const ms_sss__pyramid_state *state, int ta
     for (i = 0; i < 4; ++i) {
         const int at = ms_sss__clamp(2 * y - 1 + i, -1, fine->height);
         float *slope[3];
-        for (c = 0; c < 7; ++c)
-            row[i][c] = state->at > 0 || c < 4
-                ? fine->plane[c < 5 ? c : (int)MS_SSS__CHANGES + c - 5] + at * fine->stride
-                : NULL;
+        for (c = 0; c < (state->at > 0 ? 7 : 4); ++c) row[i][c] = fine->plane[c] + at * fine->stride;
         if (state->at > 0) continue;
         for (c = 0; c < 3; ++c) row[i][4 + c] = slope[c] = ms_sss__pyramid_row(state, task, 3 * (at & 3) + c);
         if (!fresh && i < 2) continue;
@@ -3325,7 +3339,7 @@ static void ms_sss__pyramid_down(void *context, int task)
         v->row[y].last = last;
         ms_sss__pyramid_four_rows(state, task, y, y == begin, row);
         if (first >= last) continue;
-        for (i = 0; i < 7; ++i) out[i] = v->plane[i < 5 ? i : (int)MS_SSS__CHANGES + i - 5] + y * v->stride;
+        for (i = 0; i < 7; ++i) out[i] = v->plane[i] + y * v->stride;
         state->job.simd->downsample(&params, row, first, last, out);
         for (i = 0; i < 7; ++i)
             for (c = v->width; c < last; ++c) out[i][c] = 0;
@@ -3389,14 +3403,7 @@ static void ms_sss__pyramid_up(void *context, int task)
 /* A pass over the rows of level l. */
 static void ms_sss__pyramid_run(ms_sss__pyramid_state *state, int l, void (*pass)(void *context, int task))
 {
-    ms_sss__job *job = &state->job;
-    if (l < MS_SSS__PYRAMID_SERIAL) {
-        ms_sss__run_rows(job, state->level[l].height, pass);
-        return;
-    }
-    job->begin = 0;
-    job->end = job->band = state->level[l].height;
-    ms_sss__run_parallel(NULL, 1, pass, state);
+    ms_sss__run_rows(&state->job, state->level[l].height, pass);
 }
 
 /* The taps by odd and even rows and columns, nearest first; stride: of the next level. */
@@ -3428,10 +3435,9 @@ static void ms_sss__pyramid_tap_sums(ms_sss__pyramid_params *params, int level)
     double n = 0, r1 = 0, r2 = 0, r4 = 0;
     int i;
     for (i = 0; i < 64; ++i) {
-        const double x = i % 8 - 3.75, y = i / 8 - 3.75,
-                     t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER(params->wide, level),
-                     w = t > 0 ? t * t * (params->wide ? t : 1) : 0;
-        const double r = x * x + y * y + coarse - fine;
+        const double x = i % 8 - 3.75, y = i / 8 - 3.75, r = x * x + y * y + coarse - fine,
+                     t = fmax(1 - (x * x + y * y) / (double)MS_SSS__GATHER(params->wide, level), 0),
+                     w = t * t * (params->wide ? t : 1);
         n += w;
         r1 += w * sqrt(x * x + y * y + coarse);
         r2 += w * r;
@@ -3441,6 +3447,7 @@ static void ms_sss__pyramid_tap_sums(ms_sss__pyramid_params *params, int level)
     params->norm = (float)(1 / n);
     params->mean = (float)(r1 / r2);
     params->spread = (float)(r2 / r4);
+    params->bend = (float)(0.5 * r2 / (r2 - n * (coarse - fine)));
     params->blur = (float)coarse;
     /* Rounding of two depths; the slopes' error averages over the level, but counts for each of their 3.5 pixels there
        and back; each level's sums add a few roundings. */
@@ -3927,6 +3934,7 @@ static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_ss
                                                         ms_error *error)
 {
     const int levels = ms_sss_shader_levels(width, height), level = shader->level;
+    const int tables = (ms_sss_shader_constant_count(shader) - MS_SSS__LEVEL_HEAD) / MS_SSS_PYRAMID_SIZES;
     const ms_sss_pyramid *pyramid = shader->pyramids;
     const float *a = options->pixels_per_mm;
     ms_sss_kernel kernel;
@@ -3968,14 +3976,12 @@ static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_ss
             {g.middle[0], g.middle[1], (float)shader->origin[0], (float)shader->origin[1]}};
         memcpy(out, head, sizeof head);
     }
-    for (i = 0; i < MS_SSS_PYRAMID_SIZES && ms_sss_shader_constant_count(shader) > MS_SSS__LEVEL_HEAD; ++i) {
-        float(*to)[4] = out + MS_SSS__LEVEL_HEAD + i;
-        memset(to, 0, sizeof *to);
-        if (level + 1 < MS_SSS_PYRAMID_LEVELS) memcpy(to, pyramid->weight[0][i][level + 1][1], 3 * sizeof(float));
-        for (c = 0; c < 2 && shader->step == MS_SSS_STEP_RESOLVE; ++c) {
-            memset(to + (c + 1) * MS_SSS_PYRAMID_SIZES, 0, sizeof *to);
-            memcpy(to + (c + 1) * MS_SSS_PYRAMID_SIZES, pyramid->weight[0][i][0][c], 3 * sizeof(float));
-        }
+    out += MS_SSS__LEVEL_HEAD;
+    memset(out, 0, (size_t)(tables * MS_SSS_PYRAMID_SIZES) * sizeof *out);
+    for (i = 0; i < MS_SSS_PYRAMID_SIZES && tables > 0; ++i, ++out) {
+        if (level + 1 < MS_SSS_PYRAMID_LEVELS) memcpy(out, pyramid->weight[0][i][level + 1][1], 3 * sizeof(float));
+        for (c = 1; c < tables; ++c)
+            memcpy(out + c * MS_SSS_PYRAMID_SIZES, pyramid->weight[0][i][0][c - 1], 3 * sizeof(float));
     }
     return MS_OK;
 }
@@ -5781,17 +5787,16 @@ static double ms_sss__step_wave(double k)
     return c * c * c;
 }
 
-/* Transfer of a level's gather from the next: taps (1 - r^2 / MS_SSS__GATHER)^2 at distances r of its pixels, whose
-   middle is a quarter pixel off. */
+/* Transfer of a level's gather from the next, whose pixels' middle is a quarter pixel off. */
 static double ms_sss__gather_wave(double kx, double ky, int wide, int level)
 {
     double sum = 0, n = 0;
     int i;
     for (i = 0; i < 64; ++i) {
-        const double x = i % 8 - 3.75, y = i / 8 - 3.75, t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER(wide, level);
-        if (!(t > 0)) continue;
-        sum += (wide ? t * t * t : t * t) * cos(kx * x) * cos(ky * y); /* the odd parts cancel between neighbors */
-        n += wide ? t * t * t : t * t;
+        const double x = i % 8 - 3.75, y = i / 8 - 3.75,
+                     t = fmax(1 - (x * x + y * y) / (double)MS_SSS__GATHER(wide, level), 0), w = t * t * (wide ? t : 1);
+        sum += w * cos(kx * x) * cos(ky * y); /* the odd parts cancel between neighbors */
+        n += w;
     }
     return sum / n;
 }
@@ -5862,13 +5867,9 @@ MS_SSS__COLD MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const
                 for (l = 0; l < TERMS; ++l)
                     for (m = 0; m < TERMS; ++m) A[l * TERMS + m] += weight * wave[l] * wave[m];
                 for (size = 0; size < MS_SSS_PYRAMID_SIZES; ++size) {
-                    const double at = i ? (log2(k * (double)ms_sss__index_size(size)) + (double)LOW) * (double)STEPS
-                                        : -1;
-                    const int cell = at < 0 ? 0 : at < (double)(TABLE - 2) ? (int)at : TABLE - 2;
-                    const double t = at < 0        ? 0
-                        : at > (double)(TABLE - 1) ? 1
-                                                   : at - cell,
-                                 target = at < 0 ? 1 : T[cell] + t * (T[cell + 1] - T[cell]);
+                    const double octave = i ? log2(k * (double)ms_sss__index_size(size)) + (double)LOW : 0;
+                    const double at = fmin(fmax(octave * (double)STEPS, 0), (double)TABLE - 1.000001);
+                    const double *below = T + (int)at, target = below[0] + (at - (int)at) * (below[1] - below[0]);
                     for (l = 0; l < TERMS; ++l) b[size][l] += weight * wave[l] * target;
                 }
             }

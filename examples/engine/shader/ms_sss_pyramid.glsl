@@ -28,6 +28,8 @@
 #define TAP_MEAN CONSTANT[4].w // E r / E r^2
 #define TAP_SPREAD CONSTANT[5].x // E r^2 / E r^4
 #define TAP_ROUNDING CONSTANT[5].y // what rounding adds to a sine; orthographic: times d
+#define TAP_BEND 0.743933 // E r^2 / 2 E x^2 of the picture's gather, x from pixel to pixel
+#define FACET 0.02 // what triangles of a mesh bulge, in pixels
 #define COARSER CONSTANT[5].w // 0: this is the last level; 1: there is a coarser one; 2: which has sums
 
 #if !BASE
@@ -151,8 +153,15 @@ float raise(float light, float moment, float square, float grain, float quarter,
     return light * min(u * u * (6.0 * spread * quarter * quarter + u * u), most);
 }
 
+// Distance from the tangent plane that says nothing of the shape next to a pixel: triangles of a mesh, flattened slopes.
+float facet_of(float area, float2 slope) {
+    return FACET * area + (abs(slope.x) + abs(slope.y)) * (2.0 / max(PYRAMID_SLOPES, 1e-3) - 2.0);
+}
+
 // The light of the next coarser level from up to 6 x 6 of its pixels around, by weights (1 - r^2 / R^2)^2 of the distance
 // in space, lifted by its elevation over the tangent plane; and that level's sums. Sums of weights go to ms_sss_other.
+// Near a pixel of the picture the depth below its plane shows a mesh's triangles; there it is taken from half the change
+// of slope along the way, unless a pixel lies deeper by more than a triangle bulges.
 float3 gather(int2 p, float d, float2 change) {
     float cells = COARSE_SIDE;
     float deep = deep_of(d) / cells;
@@ -163,6 +172,7 @@ float3 gather(int2 p, float d, float2 change) {
     float limit = radius / cells;
     float near_plane = 1.0 / (limit * PLANE_REACH);
     float reach = cap * cap * TAP_RADIUS_2;
+    float facet = facet_of(area, slope);
     float weight = 0.0;
     float square = 0.0;
     float3 light = zero3;
@@ -176,13 +186,16 @@ float3 gather(int2 p, float d, float2 change) {
         float4 there = fetch_coarse(q);
         float dz = (there.a - d) * deep;
         if (!(abs(there.a) > 0.0 && dz * dz < limit * limit)) { continue; }
+        float4 surface = fetch_coarse_surface(q);
         float below = dz - dot(away, slope);
         float t = max(1.0 - (dz * dz + dot(away, away)) / reach, 0.0);
-        float w = t * t * fetch_coarse_surface(q).r;
+        float w = t * t * surface.r;
+        float bend = below;
+        if (cells < 3.0) { bend = max(below - facet, min(TAP_BEND * dot(away, surface.gb * deep - slope), 0.5 * area)); }
         weight = weight + w;
         light = light + w * there.rgb;
-        moment = moment + w * below * there.rgb;
-        square = square + w * below * below;
+        moment = moment + w * bend * there.rgb;
+        square = square + w * bend * bend;
         if (abs(away.x) < 1.0 && abs(away.y) < 1.0 && COARSER > 1.5) {
             t = falloff(below * near_plane) * pick(0.25, 0.75, abs(away.x) < 0.5) * pick(0.25, 0.75, abs(away.y) < 0.5);
             sums = sums + t * fetch_sum(q).rgb;
@@ -246,10 +259,11 @@ float4 filter_pixel(int2 pixel) {
 #if !MS_SSS_FLAT
         if (i != 4) { // elevation: sin(theta) over the distance of 1 or sqrt(2) pixels; none from a radius of 20 on
             float grain = 2.0 * TAP_ROUNDING * pick(abs(own.a), 1.0, MS_SSS_PERSPECTIVE > 0);
-            float sine = (away - clamp(away, -grain, grain)) / max(surface.r, 1.0);
+            float area = max(surface.r, 1.0);
+            float sine = max(away - facet_of(area, surface.gb * deep) - grain, 0.0) / area;
             sine = sine * clamp(2.0 - 0.1 * radius, 0.0, 1.0);
-            sine = clamp(sine * pick(0.70710678, 1.0, beside.x == 0 || beside.y == 0), -1.0, 1.0);
-            lift = max(one3 + K_4.rgb * sine, zero3);
+            sine = min(sine * pick(0.70710678, 1.0, beside.x == 0 || beside.y == 0), 1.0);
+            lift = one3 + K_4.rgb * sine;
             lift = lift * lift * lift * lift;
         }
 #endif
