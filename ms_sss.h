@@ -1090,8 +1090,8 @@ typedef struct ms_sss__pyramid_params {
     int taps;                               /* of each of the four lists */
     int sums;                               /* whether the coarser level has sums */
     ptrdiff_t plane;                        /* floats from a plane of the coarser level to the next */
-    float norm, mean, spread, bend;         /* of the gather's taps: 1 / sum, E r / E r^2, E r^2 / E r^4, E r^2 over
-                                               2 E x^2, x from pixel to pixel */
+    float norm, mean, spread;               /* of the gather's taps: 1 / sum, E r / E r^2, E r^2 / E r^4 */
+    float bend;                             /* half of E r^2 / E x^2, x along a row */
     float blur;                             /* variance of a position within a pixel of the next level */
     float rounding;                         /* twice the relative error of d */
     float plane_rounding;                   /* on planes the gather's taps are less than this off the tangent plane, in
@@ -2380,9 +2380,9 @@ static void MS__F(gather)(const ms_sss__pyramid_params *s, const float *const ow
 
 /* --- the picture's own level --- */
 
-/* A pixel's neighbors: light and weights by (1, 2, 1) / 4 both ways, of those near its tangent plane, elevated by
-   what they lie below it. radius: of the kernel in pixels. Elevation counts in full up to 10 pixels and not from 20 on: with larger
-   kernels it adds to the error against random walks. */
+/* A pixel's neighbors: light and weights by (1, 2, 1) / 4 both ways, of those near its tangent plane, elevated by what
+   they lie below it. radius: of the kernel in pixels. Elevation counts in full up to 10 pixels and not from 20 on: with
+   larger kernels it adds to the error against random walks. */
 static MS_SSS__INLINE void MS__F(gather_neighbors)(const ms_sss__pyramid_params *s, const float *const row[4],
                                                    ptrdiff_t stride, int i, MS__V d, MS__V dx, MS__V dy, MS__V coverage,
                                                    MS__V radius, MS__F(gathered) * sum)
