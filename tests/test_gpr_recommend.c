@@ -66,7 +66,7 @@ static double two_sample_limit(int n, int m) { return sqrt(-0.5 * log(0.5e-4)) *
 
 /* A user's 250 scores and a model of them: lengths from the user's own terms stand in for a fit. */
 typedef struct taste {
-    user u;
+    person u;
     int n, m;
     double *x, *y;
     double theta[USER_DIMENSIONS_MAX + 2];
@@ -1207,7 +1207,7 @@ static void test_gallery_active(void)
     for (i = 0; i < users; ++i)
         for (way = 0; way < 2; ++way) {
             uint64_t state = 70 + (uint64_t)i + 1000 * test_seed;
-            user u = user_make(state, M, 0.15);
+            person u = user_make(state, M, 0.15);
             ms_gpr_recommend_options o = recommend_options();
             ms_gpr *gp;
             for (n = 0; n <= N; n += ROUND) {
@@ -1810,8 +1810,8 @@ static void test_warnings(void)
     TEST_METHOD;
     for (way = 0; way < 3; ++way) /* honest, another taste from 60 on, partly random */
         for (i = 0; i < KINDS * PERSONS; ++i) {
-            user u = user_of_kind(kinds[i / PERSONS], (uint64_t)(300 + i), M);
-            user other = user_of_kind(kinds[(i / PERSONS + 1) % KINDS], (uint64_t)(400 + i), M);
+            person u = user_of_kind(kinds[i / PERSONS], (uint64_t)(300 + i), M);
+            person other = user_of_kind(kinds[(i / PERSONS + 1) % KINDS], (uint64_t)(400 + i), M);
             uint64_t state = (uint64_t)(50 + i);
             if (way == 2) u.wrong = 0.2;
             for (n = 0; n <= N; n += ROUND) {
