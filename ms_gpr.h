@@ -317,7 +317,7 @@ MS_API ms_status ms_gpr_preference(const ms_gpr *gp, const double *a, const doub
 /* What recommendations, galleries and planes satisfy. All zero: the box that the scores suggest. */
 typedef struct ms_gpr_space {
     /* [m] the box of allowed parameters, low = high for a fixed one. NULL, or -INFINITY and INFINITY in a column: 0 to
-       1 where all materials lie there, else their range rounded outwards, or the value of a locked column. */
+       1 where all materials lie there, else their range. A column that is equal in 8 materials or more stays so. */
     const double *low, *high;
     /* Moves a material x [m] of the box to a near one that is allowed, which it leaves as it is: parameters in steps,
        equal ones, rows of a list (examples/tools/space.h). Called from all threads. NULL: the whole box is allowed. */
@@ -1730,18 +1730,20 @@ static void ms_gpr__scale(const ms_gpr *gp, const double *x, double *scaled, siz
     }
 }
 
-/* How many of n values are scores, the least of them and the largest (HUGE_VAL and -HUGE_VAL where none is). */
-static int ms_gpr__score_range(const double *y, int n, double *least, double *largest)
+/* How many of n values, `spacing` apart, are not MS_GPR_UNSCORED, the least of them and the largest (HUGE_VAL and
+   -HUGE_VAL where none is). */
+static int ms_gpr__range(const double *values, int n, size_t spacing, double *least, double *largest)
 {
-    int scored = 0, i;
+    int count = 0, i;
     *least = HUGE_VAL, *largest = -HUGE_VAL;
     for (i = 0; i < n; ++i) {
-        if (!ms_gpr__scored(y[i])) continue;
-        *least = fmin(*least, y[i]);
-        *largest = fmax(*largest, y[i]);
-        ++scored;
+        const double value = values[(size_t)i * spacing];
+        if (!ms_gpr__scored(value)) continue;
+        *least = fmin(*least, value);
+        *largest = fmax(*largest, value);
+        ++count;
     }
-    return scored;
+    return count;
 }
 
 /* The least score that counts: the floor; without one the least that was given, and 0 where all are equal and above, or
@@ -1750,7 +1752,7 @@ static double ms_gpr__floor_of(const ms_gpr *gp)
 {
     double least, largest;
     if (gp->view.floor_value < gp->view.floor) return gp->view.floor;
-    ms_gpr__score_range(gp->view.y, gp->n, &least, &largest);
+    ms_gpr__range(gp->view.y, gp->n, 1, &least, &largest);
     return largest > least || least < 0 ? least : 0;
 }
 
@@ -2199,12 +2201,9 @@ static int ms_gpr__fit_objective(void *context, const double *q, double *value, 
     ms_gpr__fit *fit = (ms_gpr__fit *)context;
     ms_gpr__problem *p = &fit->problem;
     const ms_progress *progress = &fit->o.progress;
-    double likelihood;
+    double likelihood, fraction = fmin((double)fit->report.evaluations / fit->expected, 1);
     int i, k;
-    if (progress->report) {
-        double fraction = fit->report.evaluations < fit->expected ? (double)fit->report.evaluations / fit->expected : 1;
-        if (progress->report(progress->user, fraction)) return -1;
-    }
+    if (progress->report && progress->report(progress->user, fraction)) return -1;
     ++fit->report.evaluations;
     for (k = 0; k < p->m; ++k) {
         const double *column = fit->columns + (size_t)k * p->stride;
@@ -2225,7 +2224,7 @@ static int ms_gpr__fit_scores(ms_gpr__fit *fit)
     const double *y = data->y;
     const int n = data->n;
     double least, largest, sum = 0, sum2 = 0;
-    int i, pass, at_floor = 0, has_floor, scored = ms_gpr__score_range(y, n, &least, &largest);
+    int i, pass, at_floor = 0, has_floor, scored = ms_gpr__range(y, n, 1, &least, &largest);
     if (scored == 0) least = largest = 0;
     fit->scored = scored;
     fit->unit = fabs(largest) > 0 ? fabs(largest) : 1;
@@ -2258,16 +2257,12 @@ static ms_status ms_gpr__fit_columns(ms_gpr__fit *fit, ms_error *error)
 {
     const int n = fit->data.n, m = fit->data.m;
     int i, k;
-    for (k = 0, fit->m = 0; k < m; ++k) {
-        const double *v = fit->data.x ? fit->data.x + k : NULL;
-        double least = HUGE_VAL, largest = -HUGE_VAL, sum = 0, sum2 = 0;
-        for (i = 0; i < n; ++i) {
-            double value = v[(size_t)i * (size_t)m];
-            least = fmin(least, value);
-            largest = fmax(largest, value);
-            sum += value / n;
-        }
-        if (n == 0 || !(largest - least > 1e-10 * fmax(fabs(least), fabs(largest)))) continue;
+    for (k = 0; k < m && n > 0; ++k) {
+        const double *v = fit->data.x + k;
+        double least, largest, sum = 0, sum2 = 0;
+        ms_gpr__range(v, n, (size_t)m, &least, &largest);
+        for (i = 0; i < n; ++i) sum += v[(size_t)i * (size_t)m] / n;
+        if (!(largest - least > 1e-10 * fmax(fabs(least), fabs(largest)))) continue;
         if (largest - least < 1 / MS_GPR__LARGEST)
             return ms__fail(error, MS_BAD_DATA, (size_t)k + 1, "column %d spans %g: expected more than %g; scale it",
                             k + 1, largest - least, 1 / MS_GPR__LARGEST);
@@ -2489,36 +2484,6 @@ static double ms_gpr__uniform(ms_gpr__random *random)
 
 /* --- box --- */
 
-/* A round range that holds column k of the rows of x: [0, 1] or another unit's, or steps of 1, 2 or 5 times a power of
-   ten. A locked column, equal in 8 rows or more, keeps its value. */
-static void ms_gpr__natural_range(const double *x, int n, int m, int k, double *low, double *high)
-{
-    static const double unit[][2] = {{0, 1}, {-1, 1}, {0, 100}, {0, 255}, {0, 360}, {-180, 180}};
-    double least = 0, largest = 1, step;
-    int i;
-    for (i = 0; i < n; ++i) {
-        double v = x[(size_t)i * (size_t)m + (size_t)k];
-        if (i == 0 || v < least) least = v;
-        if (i == 0 || v > largest) largest = v;
-    }
-    *low = least;
-    *high = largest;
-    if (n >= 8 && !(largest > least)) return;
-    for (i = 0; i < 6; ++i) { /* [0, 1] holds any such values; another unit's those that fill most of it */
-        double most = 0.8 * (unit[i][1] - unit[i][0]);
-        if (least >= unit[i][0] && largest <= unit[i][1] && (i == 0 || largest - least > most)) {
-            *low = unit[i][0];
-            *high = unit[i][1];
-            return;
-        }
-    }
-    if (!(largest > least)) return;
-    step = pow(10, floor(log10((largest - least) / 8)));
-    step *= 5 * step <= (largest - least) / 8 ? 5 : 2 * step <= (largest - least) / 8 ? 2 : 1;
-    *low = step * floor(least / step);
-    *high = step * ceil(largest / step);
-}
-
 /* A ms_gpr_space made ready: a material in the box has a point in the unit box. */
 typedef struct ms_gpr__box {
     int m;
@@ -2546,7 +2511,8 @@ static ms_status ms_gpr__box_make(const double *x, int n, int m, const ms_gpr_sp
     status = ms_gpr__taken(memory, "a box", error);
     for (k = 0; k < m && status == MS_OK; ++k) {
         double low, high, limit = MS_GPR__LARGEST;
-        ms_gpr__natural_range(x, n, m, k, &low, &high);
+        ms_gpr__range(x + k, n, (size_t)m, &low, &high);
+        if (low >= 0 && high <= 1 && (n < 8 || high > low)) low = 0, high = 1;
         low = ms_gpr__bound(space->low, k, -1, low);
         high = ms_gpr__bound(space->high, k, 1, high);
         if (!ms__finite(low) || !ms__finite(high) || !(fabs(low) <= limit) || !(fabs(high) <= limit) || high < low)
@@ -2603,9 +2569,8 @@ static ms_status ms_gpr__source_make(ms_gpr__source *s, const ms_gpr *gp, const 
         s->liked += gp->value[i] > s->floor;
         s->top = fmax(s->top, gp->value[i]);
     }
-    s->parents = ms_gpr__take(memory, gp->stride, 1);
+    ms_gpr__take_each(memory, gp->stride, 2, &s->parents, &s->covariance);
     ms_gpr__take_each(memory, (size_t)gp->m, 2, &s->point, &s->scaled);
-    s->covariance = ms_gpr__take(memory, gp->stride, 1);
     return ms_gpr__box_make(gp->view.x, gp->n, gp->m, space, memory, &s->box, error);
 }
 

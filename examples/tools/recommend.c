@@ -229,6 +229,7 @@ int main(int argc, char **argv)
         ++i;
     }
     if ((problem = keep_space(&kept, &options.space)) != NULL) return failed("--keep", problem, 0);
+    space_round(&kept.made, s.x, s.n);
     if (avoided && (problem = read_materials(avoided, &s, &avoid, &options.avoid_count, &line)) != NULL)
         return failed(avoided, problem, line);
     options.avoid = avoid;
