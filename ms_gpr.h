@@ -2310,12 +2310,12 @@ static void ms_gpr__fit_rows(ms_gpr__fit *fit)
     }
 }
 
-/* The box, the starts, and log-normal priors of l_k in widths, of sf and of sn in standard deviations of the scores. That
-   of the lengths is close to the one of Hvarfner and others 2024, "Vanilla Bayesian optimization performs great in high
-   dimensions". The prior of the noise is tight: a wide one lets a fit of few scores call all of them noise or none. More
-   than MS_GPR__PRIOR_TAIL spreads above its mean the penalty is linear, so that scores which contradict each other raise
-   the noise. Choices alone tell only the ratio of sf and sn, few of them not even that: its prior is a person who orders
-   most random pairs as they like them (1/2 + atan(ratio) / pi of all). */
+/* The box, the starts, and log-normal priors of l_k in widths, of sf and of sn in standard deviations of the scores.
+   That of the lengths is close to the one of Hvarfner and others 2024, "Vanilla Bayesian optimization performs great
+   in high dimensions". The prior of the noise is tight: a wide one lets a fit of few scores call all of them noise or
+   none. More than MS_GPR__PRIOR_TAIL spreads above its mean the penalty is linear, so that scores which contradict
+   each other raise it. Choices alone tell only the ratio of sf and sn, few of them not even that: its prior is a
+   person who orders most random pairs as they like them (1/2 + atan(ratio) / pi of all). */
 static void ms_gpr__fit_starts(ms_gpr__fit *fit)
 {
     static const double lengths[MS_GPR__STARTS] = {0.25, 0.5, 3}; /* widths, times sqrt(m) */

@@ -487,6 +487,16 @@ static void test_natural_box(void)
     }
     space_free(&kept);
     ms_gpr_destroy(gp);
+    for (i = 7; i < 9; ++i) {
+        int moves = 0;
+        for (k = 0; k < i; ++k) x[2 * k] = 0.5, x[2 * k + 1] = 0.1 * k;
+        CHECK_INT(ms_gpr_fit(x, y, i, 2, NULL, &gp, NULL, NULL), MS_OK);
+        memset(&g, 0, sizeof g);
+        CHECK_INT(ms_gpr_gallery(gp, &g, COUNT, r, NULL), MS_OK);
+        for (k = 0; k < COUNT; ++k) moves |= fabs(r[2 * k] - 0.5) > 0;
+        CHECK_INT(moves, i < 8); /* equal in 8 rows: locked */
+        ms_gpr_destroy(gp);
+    }
 }
 
 /* Steps, things to keep away from, and more of the same sequence, by both searches. */
