@@ -225,11 +225,10 @@ typedef struct ms_gpr_choices {
 
 /* What a model consists of. Pointers are valid until the model changes. */
 typedef struct ms_gpr_view {
-    int n, m;        /* n >= 0 materials (0 predicts the prior), m >= 1 parameters */
-    const double *x; /* [n][m] row-major, any units */
-    const double *y; /* [n] scores as they were given, or MS_GPR_UNSCORED */
-    const double
-        *theta; /* [m + 2]: log l_k for every parameter, 700 to leave it out, log sf, log sn; in units of x, y */
+    int n, m;            /* n >= 0 materials (0 predicts the prior), m >= 1 parameters */
+    const double *x;     /* [n][m] row-major, any units */
+    const double *y;     /* [n] scores as they were given, or MS_GPR_UNSCORED */
+    const double *theta; /* [m + 2] log l_k of every parameter (700: left out), log sf, log sn; in units of x, y */
     ms_gpr_choices choices;
     double mean;        /* prior mean */
     double floor;       /* the least score that can be given */
@@ -246,8 +245,8 @@ MS_API ms_gpr_view ms_gpr_view_of(const ms_gpr *gp);
    of sqrt(m), sf = 1, sn = 0.1. *out is NULL unless MS_OK. MS_BAD_DATA: a value that is not finite or beyond 1e30
    (position: its row, from 1). MS_INVALID_ARGUMENT: also a choice of a row twice, or outside the model (position: the
    choice, from 1). MS_NOT_CONVERGED: K' is not positive definite even with the largest jitter. MS_OUT_OF_MEMORY. n^3 /
-   6 multiply-adds. With choices, or materials without a score, more: Laplace's approximation, whose
-   mean is corrected to third order. */
+   6 multiply-adds. With choices, or materials without a score, more: Laplace's approximation, whose mean is corrected
+   to third order. */
 MS_API ms_status ms_gpr_create(const ms_gpr_view *parts, const ms_gpr_options *options, ms_gpr **out, ms_error *error);
 
 /* gp becomes a model of other parts, of the same m and with the same options. They may point into gp's own view. For a
@@ -318,7 +317,7 @@ MS_API ms_status ms_gpr_preference(const ms_gpr *gp, const double *a, const doub
 /* What recommendations, galleries and planes satisfy. All zero: the box that the scores suggest. */
 typedef struct ms_gpr_space {
     /* [m] the box of allowed parameters, low = high for a fixed one. NULL, or -INFINITY and INFINITY in a column: 0 to
-       1 where all materials lie there, else their range rounded outwards, or the value of a locked column. */
+       1 where all materials lie there, else their range. A column that is equal in 8 materials or more stays so. */
     const double *low, *high;
     /* Moves a material x [m] of the box to a near one that is allowed, which it leaves as it is: parameters in steps,
        equal ones, rows of a list (examples/tools/space.h). Called from all threads. NULL: the whole box is allowed. */
@@ -663,7 +662,8 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
    independent of everything. One vector of the widest level fits, and no kernel has a remainder. */
 enum {
     MS_GPR__BLOCK = 8,
-    MS_GPR__CHUNK = 64 /* candidates that are predicted together */
+    MS_GPR__SLICE = 96, /* of the depth of a product: it stays in the first cache */
+    MS_GPR__CHUNK = 64  /* candidates that are predicted together */
 };
 
 /* Parts of a product that are known to be zero or not wanted. */
@@ -675,6 +675,7 @@ enum {
 /* The inner loops, one table a level. Matrices are row-major with a stride; a is [depth][rows], b is [depth][columns],
    c is [rows][columns]; rows is a multiple of 4, columns of 8; pointers need no alignment. */
 typedef struct ms_gpr__kernels {
+    ms_simd level;
     /* c -= a' b; parts: the sum of flags above, or 0 */
     void (*reduce)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b, size_t b_stride,
                    int rows, int columns, int depth, int parts);
@@ -703,15 +704,25 @@ static double ms_gpr__pow2(double whole)
 #define MS_GPR_FILENAME "ms_gpr.h" /* it includes its own kernels, once a level */
 #endif
 
+/* Words of the kernels that mean the same in each level. */
+#define MS_GPR__JOIN_(a, b) a##b
+#define MS_GPR__JOIN(a, b) MS_GPR__JOIN_(a, b)
+#define MS_GPR__KERNEL(name) MS_GPR__JOIN(ms_gpr__##name##_level, MS_GPR__PASS)
+#define MS_GPR__V MS_GPR__KERNEL(v) /* a vector */
+#define MS_GPR__BYTES (MS_GPR__PASS == 3 ? 32 : 16)
+#define MS_GPR__LANES ((int)(sizeof(MS_GPR__V) / sizeof(double)))
+#define MS_GPR__WIDE (2 * MS_GPR__LANES) /* divides MS_GPR__BLOCK */
+#define MS_GPR__LOAD(p) ((MS_GPR__V) * (const MS_GPR__KERNEL(loose) *)(p))
+#define MS_GPR__STORE(p, v) (*(MS_GPR__KERNEL(loose) *)(p) = (v))
+#define MS_GPR__SET(x) MS_GPR__KERNEL(set)(x)
+
 #define MS_GPR__PASS 1
 #include MS_GPR_FILENAME
-#undef MS_GPR__PASS
 
 #if (defined(MS__X64) || defined(MS__NEON)) && (defined(__GNUC__) || defined(__clang__))
 #define MS_GPR__VECTORS 1 /* kernels use the compilers' vectors; cl compiles the scalar text */
 #define MS_GPR__PASS 2
 #include MS_GPR_FILENAME
-#undef MS_GPR__PASS
 #else
 #define MS_GPR__VECTORS 0
 #endif
@@ -719,18 +730,12 @@ static double ms_gpr__pow2(double whole)
 #if MS_GPR__VECTORS && defined(MS__X64)
 #define MS_GPR__PASS 3
 #include MS_GPR_FILENAME
-#undef MS_GPR__PASS
 #endif
 #define MS_GPR__KERNELS_END /* what follows the kernels is read in this inclusion alone */
 #endif
 
 #ifdef MS_GPR__PASS
 /* --- kernels: one level an inclusion, MS_GPR__PASS is the level (ms_simd) --- */
-
-#define MS_GPR__JOIN_(a, b) a##b
-#define MS_GPR__JOIN(a, b) MS_GPR__JOIN_(a, b)
-#define MS_GPR__KERNEL(name) MS_GPR__JOIN(ms_gpr__##name##_level, MS_GPR__PASS)
-#define MS_GPR__V MS_GPR__KERNEL(v)
 
 /* Vectors are the compiler's own (GCC, Clang), with the language's operators. MADD a b + c is fused where the level
    fuses. ROUND goes to the nearest whole number. POW2 is of a whole number in the normal range. KEEP is
@@ -747,33 +752,24 @@ static double ms_gpr__pow2(double whole)
 #endif
 #if MS_GPR__PASS == 1
 typedef double MS_GPR__V;
-#define MS_GPR__LANES 1
-#define MS_GPR__LOAD(p) (*(p))
-#define MS_GPR__STORE(p, v) (*(p) = (v))
-#define MS_GPR__SET(x) (x)
+typedef double MS_GPR__KERNEL(loose);
 #define MS_GPR__ROUND(a) ((double)(int)((a)-0.5)) /* of a <= 0 */
 #define MS_GPR__POW2(a) ms_gpr__pow2(a)
 #define MS_GPR__KEEP(x, limit, v) ((x) > (limit) ? (v) : 0)
 #else
-#define MS_GPR__BYTES (MS_GPR__PASS == 3 ? 32 : 16)
-#define MS_GPR__LANES (MS_GPR__BYTES / 8)
 typedef double MS_GPR__V __attribute__((vector_size(MS_GPR__BYTES)));
 typedef double MS_GPR__KERNEL(loose) __attribute__((vector_size(MS_GPR__BYTES), aligned(sizeof(double)), may_alias));
 typedef int64_t MS_GPR__KERNEL(bits) __attribute__((vector_size(MS_GPR__BYTES)));
-#define MS_GPR__LOAD(p) ((MS_GPR__V) * (const MS_GPR__KERNEL(loose) *)(p))
-#define MS_GPR__STORE(p, v) (*(MS_GPR__KERNEL(loose) *)(p) = (v))
-#define MS_GPR__SET(x) MS_GPR__KERNEL(set)(x)
 #define MS_GPR__ROUND(a) ((a) + MS_GPR__SET(6755399441055744.0) - MS_GPR__SET(6755399441055744.0)) /* 3 * 2^51 */
 #define MS_GPR__POW2(a) ((MS_GPR__V)((MS_GPR__KERNEL(bits))((a) + MS_GPR__SET(6755399441055744.0 + 1023)) << 52))
 #define MS_GPR__KEEP(x, limit, v) ((MS_GPR__V)(((x) > (limit)) & (MS_GPR__KERNEL(bits))(v)))
+#endif
+
 MS_GPR__STATIC inline MS_GPR__V MS_GPR__KERNEL(set)(double x)
 {
     const MS_GPR__V zero = {0};
     return x - zero; /* -0 stays -0 */
 }
-#endif
-
-#define MS_GPR__WIDE (2 * MS_GPR__LANES) /* divides MS_GPR__BLOCK */
 
 /* exp(-d2 / 2) = 2^t, t = -d2 / (2 log 2) <= 0, as 2^round(t) times a polynomial in the rest f that interpolates (2^f -
    1) / f at the Chebyshev points of [-1/2, 1/2]: its error is less than rounding's. Below 2^-500 it is 0: products of
@@ -839,7 +835,6 @@ MS_GPR__STATIC void MS_GPR__KERNEL(distances)(double *d2, const double *points, 
 
 /* A tile of 4 rows and 2 vectors. Depth goes in slices, and two vectors of a slice of -b are copied together, so that
    they stay in the first cache and on few pages. */
-#define MS_GPR__SLICE 96
 MS_GPR__STATIC void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, size_t a_stride,
                                            const double *b, size_t b_stride, int rows, int columns, int depth,
                                            int parts)
@@ -922,43 +917,28 @@ MS_GPR__STATIC double MS_GPR__KERNEL(dot)(const double *x, const double *y, int 
 }
 
 static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
-    MS_GPR__KERNEL(reduce), MS_GPR__KERNEL(exponentials), MS_GPR__KERNEL(slopes),   MS_GPR__KERNEL(axpy),
-    MS_GPR__KERNEL(dot),    MS_GPR__KERNEL(distances),    MS_GPR__KERNEL(line_mean)};
+    (ms_simd)MS_GPR__PASS, MS_GPR__KERNEL(reduce), MS_GPR__KERNEL(exponentials), MS_GPR__KERNEL(slopes),
+    MS_GPR__KERNEL(axpy),  MS_GPR__KERNEL(dot),    MS_GPR__KERNEL(distances),    MS_GPR__KERNEL(line_mean)};
 
-#undef MS_GPR__WIDE
-#undef MS_GPR__SLICE
-#undef MS_GPR__JOIN_
-#undef MS_GPR__JOIN
-#undef MS_GPR__KERNEL
-#undef MS_GPR__V
-#undef MS_GPR__BYTES
-#undef MS_GPR__LANES
-#undef MS_GPR__LOAD
-#undef MS_GPR__STORE
-#undef MS_GPR__SET
 #undef MS_GPR__STATIC
 #undef MS_GPR__MADD
 #undef MS_GPR__ROUND
 #undef MS_GPR__POW2
 #undef MS_GPR__KEEP
+#undef MS_GPR__PASS
 #endif /* MS_GPR__PASS */
 
 #if defined(MS_GPR__KERNELS_END) && !defined(MS_GPR__PASS)
 #undef MS_GPR__KERNELS_END
 
-static ms_simd ms_gpr__simd_pick(ms_simd cap)
+static const ms_gpr__kernels *ms_gpr__kernels_of(ms_simd cap)
 {
     ms_simd level = ms__simd_pick(MS_GPR__VECTORS ? cap : MS_SIMD_SCALAR);
-    return level > MS_SIMD_AVX2 ? MS_SIMD_AVX2 : level;
-}
-
-static const ms_gpr__kernels *ms_gpr__kernels_of(ms_simd level)
-{
 #if MS_GPR__VECTORS && defined(MS__X64)
-    if (level == MS_SIMD_AVX2) return &ms_gpr__table_level3;
+    if (level >= MS_SIMD_AVX2) return &ms_gpr__table_level3;
 #endif
 #if MS_GPR__VECTORS
-    if (level == MS_SIMD_BASE) return &ms_gpr__table_level2;
+    if (level >= MS_SIMD_BASE) return &ms_gpr__table_level2;
 #endif
     (void)level;
     return &ms_gpr__table_level1;
@@ -1203,19 +1183,15 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
     ms_gpr__minimum best;
     double gain = HUGE_VAL;
     int stored = 0, newest = -1, i, k, defined;
-    best.stopped = 0;
     best.evaluations = 1;
     best.value = HUGE_VAL;
     for (i = 0; i < s->count; ++i) q[i] = ms_gpr__clamp(q[i], s->low[i], s->high[i]);
     defined = s->f(s->context, q, &best.value, gradient);
-    if (defined != 1) {
-        best.value = HUGE_VAL;
-        best.stopped = defined < 0;
-        return best;
-    }
+    best.stopped = defined < 0;
+    if (defined != 1) return best;
     while (best.evaluations < s->evaluations) {
         double slope = 0, largest = 0, step = 1, value = 0, decrease = 0, steepest = 0;
-        double *move, *change, length, curvature;
+        double *move, *change, length, curvature, shrink;
         for (i = 0; i < s->count; ++i) {
             direction[i] = ms_gpr__at_bound(s, i, q[i], gradient[i]) ? 0 : -gradient[i];
             if (fabs(direction[i]) > steepest) steepest = fabs(direction[i]);
@@ -1266,12 +1242,10 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
                 defined = 0;
                 break;
             }
-            if (defined && ms__finite(value)) { /* the minimum of the parabola through both values and the slope */
-                double shrink = -0.5 * decrease / (value - best.value - decrease);
-                step *= fmin(fmax(shrink, 0.1), 0.5);
-            } else {
-                step *= 0.25;
-            }
+            shrink = 0.25;
+            if (defined && ms__finite(value)) /* to the minimum of the parabola through both values and the slope */
+                shrink = -0.5 * decrease / (value - best.value - decrease);
+            step *= fmin(fmax(shrink, 0.1), 0.5);
         }
         if (!defined) {
             if (stored == 0 || best.evaluations >= s->evaluations) break;
@@ -1577,8 +1551,7 @@ static void ms_gpr__laplace_third(ms_gpr__problem *p, double noise, const double
 
 /* What the gradient of Laplace's log p(y) has besides tr((alpha alpha' - (K + W^-1)^-1) dK) / 2 because f depends on
    theta (Rasmussen & Williams 2006, 5.5.1): u' dK alpha with u = (I - (K + W^-1)^-1 K) s, s as in
-   ms_gpr__laplace_third; and by log sf and log sn through ridge and noise. Returns
-   u, in the list of the problem. */
+   ms_gpr__laplace_third; and by log sf and log sn through ridge and noise. Returns u, in the list of the problem. */
 static const double *ms_gpr__laplace_implicit(ms_gpr__problem *p, double sf2, double noise, double *by_sf,
                                               double *by_sn)
 {
@@ -1683,27 +1656,30 @@ static size_t ms_gpr__choice_rows(const ms_gpr_choices *choices)
     return sum;
 }
 
-/* The arrays of a problem; all are 0. */
-static void ms_gpr__problem_make(ms_gpr__problem *p, const ms_gpr__kernels *kernels, int n, int m, int soft,
-                                 const ms_gpr_choices *choices, ms_gpr__memory *memory)
+/* The arrays, all 0, of a problem with the rows and the choices of `data`. */
+static void ms_gpr__problem_make(ms_gpr__problem *p, const ms_gpr__kernels *kernels, const ms_gpr_view *data, int m,
+                                 ms_gpr__memory *memory)
 {
-    const size_t padded = (size_t)ms_gpr__padded(n), stride = ms_gpr__stride(n), chosen = ms_gpr__choice_rows(choices);
+    const size_t padded = (size_t)ms_gpr__padded(data->n), stride = ms_gpr__stride(data->n);
+    const size_t chosen = ms_gpr__choice_rows(&data->choices);
     size_t i;
     memset(p, 0, sizeof *p);
     p->kernels = kernels;
-    p->n = n;
+    p->n = data->n;
     p->m = m;
     p->stride = stride;
+    p->choices = data->choices;
+    p->soft = chosen > 0;
+    for (i = 0; i < (size_t)data->n; ++i) p->soft |= !ms_gpr__scored(data->y[i]);
     p->points = ms_gpr__take(memory, (size_t)m, stride);
     ms_gpr__take_each(memory, padded * stride, 3, &p->kernel, &p->upper, &p->inverse);
     ms_gpr__take_each(memory, stride, 3, &p->target, &p->alpha, &p->weight);
-    p->soft = soft;
-    if (!soft) return;
-    p->choices = *choices;
+    if (!p->soft) return;
     p->solved = ms_gpr__take(memory, padded, stride);
     p->list = ms_gpr__take(memory, 6, stride);
     ms_gpr__take_each(memory, stride, 2, &p->latent, &p->probability);
-    for (i = 0; i < chosen; ++i) p->joined = choices->rows[i] < p->joined ? p->joined : choices->rows[i] + 1;
+    for (i = 0; i < chosen; ++i)
+        if (p->choices.rows[i] >= p->joined) p->joined = p->choices.rows[i] + 1;
 }
 
 /* ---- model ----------------------------------------------------------------------------------------------------- */
@@ -1719,7 +1695,6 @@ struct ms_gpr {
     int n, m, active; /* active: dimensions in use */
     size_t stride;
     double likelihood;
-    int soft; /* conditioned by Laplace's approximation */
     const ms_gpr__kernels *kernels;
     ms_gpr__memory memory; /* what follows */
     double *value;         /* [n] y, or what is predicted for a row without */
@@ -1755,18 +1730,20 @@ static void ms_gpr__scale(const ms_gpr *gp, const double *x, double *scaled, siz
     }
 }
 
-/* How many of n values are scores, the least of them and the largest (HUGE_VAL and -HUGE_VAL where none is). */
-static int ms_gpr__score_range(const double *y, int n, double *least, double *largest)
+/* How many of n values, `spacing` apart, are not MS_GPR_UNSCORED, the least of them and the largest (HUGE_VAL and
+   -HUGE_VAL where none is). */
+static int ms_gpr__range(const double *values, int n, size_t spacing, double *least, double *largest)
 {
-    int scored = 0, i;
+    int count = 0, i;
     *least = HUGE_VAL, *largest = -HUGE_VAL;
     for (i = 0; i < n; ++i) {
-        if (!ms_gpr__scored(y[i])) continue;
-        *least = fmin(*least, y[i]);
-        *largest = fmax(*largest, y[i]);
-        ++scored;
+        const double value = values[(size_t)i * spacing];
+        if (!ms_gpr__scored(value)) continue;
+        *least = fmin(*least, value);
+        *largest = fmax(*largest, value);
+        ++count;
     }
-    return scored;
+    return count;
 }
 
 /* The least score that counts: the floor; without one the least that was given, and 0 where all are equal and above, or
@@ -1775,21 +1752,8 @@ static double ms_gpr__floor_of(const ms_gpr *gp)
 {
     double least, largest;
     if (gp->view.floor_value < gp->view.floor) return gp->view.floor;
-    ms_gpr__score_range(gp->view.y, gp->n, &least, &largest);
+    ms_gpr__range(gp->view.y, gp->n, 1, &least, &largest);
     return largest > least || least < 0 ? least : 0;
-}
-
-/* The problem of this model's data and theta, in memory that is to be released whatever is returned. */
-static ms_status ms_gpr__problem_of(const ms_gpr *gp, ms_gpr__problem *p, ms_gpr__memory *memory, ms_error *error)
-{
-    ms_status status;
-    int i;
-    ms_gpr__problem_make(p, gp->kernels, gp->n, gp->active, gp->soft, &gp->view.choices, memory);
-    status = ms_gpr__taken(memory, "a likelihood", error);
-    if (status != MS_OK) return status;
-    memcpy(p->points, gp->points, (size_t)gp->active * gp->stride * sizeof *p->points);
-    for (i = 0; i < gp->n; ++i) p->target[i] = ms_gpr__target(gp, i);
-    return MS_OK;
 }
 
 /* Everything that follows from x, y, choices and theta. The jitter, in units of sf^2, is the least power of ten that
@@ -1809,14 +1773,13 @@ static ms_status ms_gpr__condition(ms_gpr *gp, const ms_gpr *before, ms_error *e
         if (gp->view.theta[k] < MS_GPR__DROPPED) gp->dimension[gp->active++] = k;
         for (i = 0; i < gp->n; ++i) gp->center[k] += gp->view.x[(size_t)i * m + (size_t)k] / gp->n;
     }
-    gp->soft = gp->view.choices.count > 0;
-    for (i = 0; i < gp->n; ++i) {
-        ms_gpr__scale(gp, gp->view.x + (size_t)i * m, gp->points + i, gp->stride);
-        gp->soft |= !ms_gpr__scored(gp->view.y[i]);
-    }
+    for (i = 0; i < gp->n; ++i) ms_gpr__scale(gp, gp->view.x + (size_t)i * m, gp->points + i, gp->stride);
 
     /* the posterior */
-    status = ms_gpr__problem_of(gp, &p, &memory, error);
+    ms_gpr__problem_make(&p, gp->kernels, &gp->view, gp->active, &memory);
+    status = ms_gpr__taken(&memory, "a likelihood", error);
+    if (status == MS_OK) memcpy(p.points, gp->points, (size_t)gp->active * row);
+    for (i = 0; i < gp->n && status == MS_OK; ++i) p.target[i] = ms_gpr__target(gp, i);
     for (; status == MS_OK && gp->view.jitter < 2e-6; gp->view.jitter = fmax(10 * gp->view.jitter, 1e-15)) {
         double noise = ms_gpr__sn2(gp) + gp->view.jitter * sf2;
         memset(p.alpha, 0, row);
@@ -1832,9 +1795,7 @@ static ms_status ms_gpr__condition(ms_gpr *gp, const ms_gpr *before, ms_error *e
             gp->value[i] = ms_gpr__scored(gp->view.y[i]) ? gp->view.y[i] : gp->view.mean + p.latent[i];
     } else if (status == MS_OK) {
         status = ms__fail(error, MS_NOT_CONVERGED, 0,
-                          "the covariance matrix of %d points is not positive definite even with 1e-6 sf^2 added to "
-                          "sn^2",
-                          gp->n);
+                          "the covariance of %d points is not positive definite even with 1e-6 sf^2 added", gp->n);
     }
     ms_gpr__release(&memory);
     return status;
@@ -1894,7 +1855,8 @@ static ms_status ms_gpr__check_choices(const ms_gpr_choices *choices, int n, ms_
     return MS_OK;
 }
 
-static ms_status ms_gpr__check_parts(const ms_gpr_view *parts, ms_error *error)
+/* For a fit they need no theta. */
+static ms_status ms_gpr__check_parts(const ms_gpr_view *parts, int fit, ms_error *error)
 {
     const double unscored = MS_GPR_UNSCORED, *y = parts->y;
     const int n = parts->n, m = parts->m;
@@ -1907,6 +1869,7 @@ static ms_status ms_gpr__check_parts(const ms_gpr_view *parts, ms_error *error)
         if (memcmp(&y[i], &unscored, sizeof unscored) != 0 && (!ms__finite(y[i]) || !(fabs(y[i]) <= MS_GPR__LARGEST)))
             status = ms__fail(error, MS_BAD_DATA, (size_t)i + 1, "score %d is %g: expected a number from %g to %g",
                               i + 1, y[i], -MS_GPR__LARGEST, MS_GPR__LARGEST);
+    if (status == MS_OK && parts->theta == NULL && n > 0 && !fit) status = ms_gpr__null("theta", error);
     for (k = 0; status == MS_OK && parts->theta && k < m + 2; ++k) {
         double limit = k < m ? MS_GPR__DROPPED : 300;
         if (!ms__finite(parts->theta[k]) || !(fabs(parts->theta[k]) <= limit))
@@ -1931,7 +1894,6 @@ static ms_status ms_gpr__make(const ms_gpr_view *parts, const ms_gpr_options *o,
     double *x, *y, *theta;
     int *rows, *sizes, k;
     ms_status status;
-    *out = NULL;
     if (gp == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a model");
     memset(gp, 0, sizeof *gp);
     gp->o = *o;
@@ -1965,8 +1927,8 @@ static ms_status ms_gpr__make(const ms_gpr_view *parts, const ms_gpr_options *o,
         gp->view.choices.rows = rows;
         gp->view.choices.sizes = sizes;
         gp->view.jitter = 0;
-        gp->view.level = ms_gpr__simd_pick(o->simd);
-        gp->kernels = ms_gpr__kernels_of(gp->view.level);
+        gp->kernels = ms_gpr__kernels_of(o->simd);
+        gp->view.level = gp->kernels->level;
         status = ms_gpr__condition(gp, before, error);
     }
     if (status == MS_OK) *out = gp;
@@ -1983,8 +1945,7 @@ MS_API ms_status ms_gpr_create(const ms_gpr_view *parts, const ms_gpr_options *o
     if (parts == NULL) return ms_gpr__null("parts", error);
     memset(&o, 0, sizeof o);
     if (options) o = *options;
-    status = ms_gpr__check_parts(parts, error);
-    if (status == MS_OK && parts->theta == NULL && parts->n > 0) status = ms_gpr__null("theta", error);
+    status = ms_gpr__check_parts(parts, 0, error);
     return status == MS_OK ? ms_gpr__make(parts, &o, NULL, out, error) : status;
 }
 
@@ -1994,8 +1955,7 @@ MS_API ms_status ms_gpr_update(ms_gpr *gp, const ms_gpr_view *parts, ms_error *e
     ms_status status;
     if (gp == NULL || parts == NULL) return ms_gpr__null(gp ? "parts" : "gp", error);
     status = ms_gpr__check_range("m", parts->m, gp->m, gp->m, error);
-    if (status == MS_OK) status = ms_gpr__check_parts(parts, error);
-    if (status == MS_OK && parts->theta == NULL && parts->n > 0) status = ms_gpr__null("theta", error);
+    if (status == MS_OK) status = ms_gpr__check_parts(parts, 0, error);
     if (status == MS_OK) status = ms_gpr__make(parts, &gp->o, gp, &made, error);
     if (status != MS_OK) return status;
     old = *gp;
@@ -2193,21 +2153,7 @@ static void ms_gpr__ranked_sort(ms_gpr__ranked *list, int count)
     }
 }
 
-/* Log-normal priors: of l_k in widths, of sf and of sn in standard deviations of the scores. That of the lengths is
-   close to the one of Hvarfner and others 2024, "Vanilla Bayesian optimization performs great in high dimensions". The
-   prior of the noise is tight: a wide one lets a fit of few scores call all of them noise or none. More than
-   MS_GPR__PRIOR_TAIL spreads above its mean the penalty is linear, so that scores which contradict each other raise the
-   noise. */
-static const double MS_GPR__PRIOR_LENGTH = 2.1; /* times sqrt(m) */
-static const double MS_GPR__PRIOR_LENGTH_SPREAD = 1.5;
-static const double MS_GPR__PRIOR_SF_SPREAD = 1.0;
-static const double MS_GPR__PRIOR_SN = 0.5;
-/* Choices alone tell only the ratio of sf and sn, few of them not even that: its prior is a person who orders most
-   random pairs as they like them (1/2 + atan(ratio) / pi of all). */
-static const double MS_GPR__PRIOR_SF_CHOICES = 0.7;
-static const double MS_GPR__PRIOR_SF_CHOICES_SPREAD = 0.5;
-static const double MS_GPR__PRIOR_SN_SPREAD = 0.25;
-static const double MS_GPR__PRIOR_TAIL = 1.0;
+static const double MS_GPR__PRIOR_TAIL = 1.0;    /* spreads of the noise, see ms_gpr__fit_starts */
 static const double MS_GPR__FLOOR_OFFSET = 0.75; /* standard deviations that scores at the floor are modeled below it */
 
 enum {
@@ -2231,7 +2177,7 @@ typedef struct ms_gpr__fit {
     double *theta;           /* [columns of x + 2] what the model gets */
     ms_gpr__ranked *order;   /* [n] */
     double *work, unit;
-    int soft, scored;
+    int scored;
     int expected; /* evaluations, about */
     ms_gpr_fit_report report;
 } ms_gpr__fit;
@@ -2255,12 +2201,9 @@ static int ms_gpr__fit_objective(void *context, const double *q, double *value, 
     ms_gpr__fit *fit = (ms_gpr__fit *)context;
     ms_gpr__problem *p = &fit->problem;
     const ms_progress *progress = &fit->o.progress;
-    double likelihood;
+    double likelihood, fraction = fmin((double)fit->report.evaluations / fit->expected, 1);
     int i, k;
-    if (progress->report) {
-        double fraction = fit->report.evaluations < fit->expected ? (double)fit->report.evaluations / fit->expected : 1;
-        if (progress->report(progress->user, fraction)) return -1;
-    }
+    if (progress->report && progress->report(progress->user, fraction)) return -1;
     ++fit->report.evaluations;
     for (k = 0; k < p->m; ++k) {
         const double *column = fit->columns + (size_t)k * p->stride;
@@ -2281,7 +2224,7 @@ static int ms_gpr__fit_scores(ms_gpr__fit *fit)
     const double *y = data->y;
     const int n = data->n;
     double least, largest, sum = 0, sum2 = 0;
-    int i, pass, at_floor = 0, has_floor, scored = ms_gpr__score_range(y, n, &least, &largest);
+    int i, pass, at_floor = 0, has_floor, scored = ms_gpr__range(y, n, 1, &least, &largest);
     if (scored == 0) least = largest = 0;
     fit->scored = scored;
     fit->unit = fabs(largest) > 0 ? fabs(largest) : 1;
@@ -2314,16 +2257,12 @@ static ms_status ms_gpr__fit_columns(ms_gpr__fit *fit, ms_error *error)
 {
     const int n = fit->data.n, m = fit->data.m;
     int i, k;
-    for (k = 0, fit->m = 0; k < m; ++k) {
-        const double *v = fit->data.x ? fit->data.x + k : NULL;
-        double least = HUGE_VAL, largest = -HUGE_VAL, sum = 0, sum2 = 0;
-        for (i = 0; i < n; ++i) {
-            double value = v[(size_t)i * (size_t)m];
-            least = fmin(least, value);
-            largest = fmax(largest, value);
-            sum += value / n;
-        }
-        if (n == 0 || !(largest - least > 1e-10 * fmax(fabs(least), fabs(largest)))) continue;
+    for (k = 0; k < m && n > 0; ++k) {
+        const double *v = fit->data.x + k;
+        double least, largest, sum = 0, sum2 = 0;
+        ms_gpr__range(v, n, (size_t)m, &least, &largest);
+        for (i = 0; i < n; ++i) sum += v[(size_t)i * (size_t)m] / n;
+        if (!(largest - least > 1e-10 * fmax(fabs(least), fabs(largest)))) continue;
         if (largest - least < 1 / MS_GPR__LARGEST)
             return ms__fail(error, MS_BAD_DATA, (size_t)k + 1, "column %d spans %g: expected more than %g; scale it",
                             k + 1, largest - least, 1 / MS_GPR__LARGEST);
@@ -2371,6 +2310,12 @@ static void ms_gpr__fit_rows(ms_gpr__fit *fit)
     }
 }
 
+/* The box, the starts, and log-normal priors of l_k in widths, of sf and of sn in standard deviations of the scores.
+   That of the lengths is close to the one of Hvarfner and others 2024, "Vanilla Bayesian optimization performs great
+   in high dimensions". The prior of the noise is tight: a wide one lets a fit of few scores call all of them noise or
+   none. More than MS_GPR__PRIOR_TAIL spreads above its mean the penalty is linear, so that scores which contradict
+   each other raise it. Choices alone tell only the ratio of sf and sn, few of them not even that: its prior is a
+   person who orders most random pairs as they like them (1/2 + atan(ratio) / pi of all). */
 static void ms_gpr__fit_starts(ms_gpr__fit *fit)
 {
     static const double lengths[MS_GPR__STARTS] = {0.25, 0.5, 3}; /* widths, times sqrt(m) */
@@ -2380,15 +2325,15 @@ static void ms_gpr__fit_starts(ms_gpr__fit *fit)
     for (k = 0; k < m; ++k) {
         fit->low[k] = log(0.01);
         fit->high[k] = log(1000.0);
-        fit->prior[k] = log(MS_GPR__PRIOR_LENGTH * root);
-        fit->spread[k] = MS_GPR__PRIOR_LENGTH_SPREAD;
+        fit->prior[k] = log(2.1 * root);
+        fit->spread[k] = 1.5;
     }
     fit->low[m] = fit->low[m + 1] = log(1e-3);
     fit->high[m] = log(1e3), fit->high[m + 1] = log(10.0);
-    fit->prior[m] = fit->scored ? 0 : log(MS_GPR__PRIOR_SF_CHOICES);
-    fit->spread[m] = fit->scored ? MS_GPR__PRIOR_SF_SPREAD : MS_GPR__PRIOR_SF_CHOICES_SPREAD;
-    fit->prior[m + 1] = log(MS_GPR__PRIOR_SN);
-    fit->spread[m + 1] = MS_GPR__PRIOR_SN_SPREAD;
+    fit->prior[m] = fit->scored ? 0 : log(0.7);
+    fit->spread[m] = fit->scored ? 1 : 0.5;
+    fit->prior[m + 1] = log(0.5);
+    fit->spread[m + 1] = 0.25;
     for (i = 0; i < fit->starts; ++i) {
         double *q = fit->q + i * (m + 2);
         for (k = 0; k < m; ++k) q[k] = start ? start[fit->column[k]] - log(fit->width[k]) : log(lengths[i] * root);
@@ -2403,7 +2348,6 @@ static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
     ms_gpr__minimum found;
     ms_gpr__search s;
     int n = fit->data.n;
-    memset(&s, 0, sizeof s);
     s.f = ms_gpr__fit_objective;
     s.context = fit;
     s.count = fit->m + 2;
@@ -2427,7 +2371,7 @@ static int ms_gpr__fit_part(const ms_gpr__fit *fit)
 {
     const int n = fit->data.n, m = fit->data.m;
     int least = 4 * m > MS_GPR__PART ? 4 * m : MS_GPR__PART, part = n / 3;
-    if (fit->starts == 1 || fit->soft || n / 2 < least) return n;
+    if (fit->starts == 1 || fit->problem.soft || n / 2 < least) return n;
     part = part < least ? least : part > 400 ? 400 : part;
     return ms_gpr__padded(part) < n ? ms_gpr__padded(part) : n;
 }
@@ -2437,20 +2381,16 @@ static ms_status ms_gpr__fit_begin(ms_gpr__fit *fit, ms_gpr__memory *memory, ms_
 {
     const ms_gpr_view *data = &fit->data;
     const size_t m = (size_t)data->m, row = m + 2;
-    const ms_gpr__kernels *kernels = ms_gpr__kernels_of(ms_gpr__simd_pick(fit->o.simd));
-    ms_status status = ms_gpr__check_parts(data, error);
-    int i;
+    ms_status status = ms_gpr__check_parts(data, 1, error);
     if (status == MS_OK && fit->o.floor)
         status = ms_gpr__check_range("floor", *fit->o.floor, -MS_GPR__LARGEST, MS_GPR__LARGEST, error);
     if (status == MS_OK) status = ms_gpr__check_range("evaluations", fit->o.evaluations, 0, MS_GPR__INT_MAX, error);
     if (status != MS_OK) return status;
     if (fit->o.evaluations == 0) fit->o.evaluations = 200;
-    fit->soft = data->choices.count > 0;
-    for (i = 0; i < data->n; ++i) fit->soft |= !ms_gpr__scored(data->y[i]);
     fit->starts = fit->o.start ? 1 : (int)MS_GPR__STARTS;
     fit->expected = 30 * fit->starts + fit->o.evaluations / 2;
+    ms_gpr__problem_make(&fit->problem, ms_gpr__kernels_of(fit->o.simd), data, data->m, memory);
     fit->part = ms_gpr__fit_part(fit);
-    ms_gpr__problem_make(&fit->problem, kernels, data->n, data->m, fit->soft, &data->choices, memory);
     fit->columns = ms_gpr__take(memory, m, ms_gpr__stride(data->n));
     fit->work = ms_gpr__take(memory, ms_gpr__minimize_doubles(data->m + 2), 1);
     fit->q = ms_gpr__take(memory, row, (size_t)fit->starts);
@@ -2544,36 +2484,6 @@ static double ms_gpr__uniform(ms_gpr__random *random)
 
 /* --- box --- */
 
-/* A round range that holds column k of the rows of x: [0, 1] or another unit's, or steps of 1, 2 or 5 times a power of
-   ten. A locked column, equal in 8 rows or more, keeps its value. */
-static void ms_gpr__natural_range(const double *x, int n, int m, int k, double *low, double *high)
-{
-    static const double unit[][2] = {{0, 1}, {-1, 1}, {0, 100}, {0, 255}, {0, 360}, {-180, 180}};
-    double least = 0, largest = 1, step;
-    int i;
-    for (i = 0; i < n; ++i) {
-        double v = x[(size_t)i * (size_t)m + (size_t)k];
-        if (i == 0 || v < least) least = v;
-        if (i == 0 || v > largest) largest = v;
-    }
-    *low = least;
-    *high = largest;
-    if (n >= 8 && !(largest > least)) return;
-    for (i = 0; i < 6; ++i) { /* [0, 1] holds any such values; another unit's those that fill most of it */
-        double most = 0.8 * (unit[i][1] - unit[i][0]);
-        if (least >= unit[i][0] && largest <= unit[i][1] && (i == 0 || largest - least > most)) {
-            *low = unit[i][0];
-            *high = unit[i][1];
-            return;
-        }
-    }
-    if (!(largest > least)) return;
-    step = pow(10, floor(log10((largest - least) / 8)));
-    step *= 5 * step <= (largest - least) / 8 ? 5 : 2 * step <= (largest - least) / 8 ? 2 : 1;
-    *low = step * floor(least / step);
-    *high = step * ceil(largest / step);
-}
-
 /* A ms_gpr_space made ready: a material in the box has a point in the unit box. */
 typedef struct ms_gpr__box {
     int m;
@@ -2601,7 +2511,8 @@ static ms_status ms_gpr__box_make(const double *x, int n, int m, const ms_gpr_sp
     status = ms_gpr__taken(memory, "a box", error);
     for (k = 0; k < m && status == MS_OK; ++k) {
         double low, high, limit = MS_GPR__LARGEST;
-        ms_gpr__natural_range(x, n, m, k, &low, &high);
+        ms_gpr__range(x + k, n, (size_t)m, &low, &high);
+        if (low >= 0 && high <= 1 && (n < 8 || high > low)) low = 0, high = 1;
         low = ms_gpr__bound(space->low, k, -1, low);
         high = ms_gpr__bound(space->high, k, 1, high);
         if (!ms__finite(low) || !ms__finite(high) || !(fabs(low) <= limit) || !(fabs(high) <= limit) || high < low)
@@ -2658,9 +2569,8 @@ static ms_status ms_gpr__source_make(ms_gpr__source *s, const ms_gpr *gp, const 
         s->liked += gp->value[i] > s->floor;
         s->top = fmax(s->top, gp->value[i]);
     }
-    s->parents = ms_gpr__take(memory, gp->stride, 1);
+    ms_gpr__take_each(memory, gp->stride, 2, &s->parents, &s->covariance);
     ms_gpr__take_each(memory, (size_t)gp->m, 2, &s->point, &s->scaled);
-    s->covariance = ms_gpr__take(memory, gp->stride, 1);
     return ms_gpr__box_make(gp->view.x, gp->n, gp->m, space, memory, &s->box, error);
 }
 
@@ -2900,8 +2810,8 @@ static void ms_gpr__chain_climb(ms_gpr__sampler *h, double *x)
     h->seeds = 0;
 }
 
-/* The first candidates and the threshold. *liking: something is predicted above the floor. */
-static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, int *liking, ms_error *error)
+/* The first candidates, the threshold, and the seeds: there are some if anything is predicted above the floor. */
+static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, ms_error *error)
 {
     ms_gpr__source *s = &h->source;
     const ms_gpr *gp = s->gp;
@@ -2929,11 +2839,10 @@ static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, int *liking, ms_error
     if (status != MS_OK) return status;
     best = fmax(best, h->mean[count++]);
     top = fmin(s->top, best);
-    *liking = best > s->floor && top > s->floor;
     h->report.liked = s->liked;
     h->report.best = best;
     h->report.search = MS_GPR_SEARCH_THRESHOLD;
-    if (!*liking) return MS_OK;
+    if (!(top > s->floor)) return MS_OK;
     h->threshold = fmin(s->floor + h->o.tau * (top - s->floor), best - 1e-6 * (best - s->floor));
     h->report.threshold = h->threshold;
 
@@ -2948,29 +2857,21 @@ static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, int *liking, ms_error
     return MS_OK;
 }
 
-/* Mean sigma of the first recommendations over the range of scores. */
-static ms_status ms_gpr__sampler_spread(ms_gpr__sampler *h, double *doubt, ms_error *error)
-{
-    double variance[MS_GPR__WAVE], range = (h->threshold - h->source.floor) / h->o.tau;
-    int i;
-    ms_status status = ms_gpr_predict(h->source.gp, h->candidate, MS_GPR__WAVE, NULL, variance, error);
-    *doubt = 0;
-    for (i = 0; i < MS_GPR__WAVE && status == MS_OK; ++i) *doubt += sqrt(variance[i]) / ((int)MS_GPR__WAVE * range);
-    return status;
-}
-
 /* Chains. The search ends with the first wave where that is too uncertain. */
 static ms_status ms_gpr__sampler_chains(ms_gpr__sampler *h, ms_error *error)
 {
     const size_t m = (size_t)h->source.gp->m;
+    const double range = (h->threshold - h->source.floor) / h->o.tau;
+    double doubt = 0, variance[MS_GPR__WAVE];
     ms_status status = MS_OK;
-    double doubt;
     int i;
     for (; status == MS_OK && h->taken < h->count; h->first += MS_GPR__WAVE) {
-        if (h->seeds == 0 || (double)h->first / 40 > (double)h->count + (int)MS_GPR__WAVE) return MS_NOT_CONVERGED;
+        if ((double)h->first / 40 > (double)h->count + (int)MS_GPR__WAVE) return MS_NOT_CONVERGED;
         ms__run(&h->source.gp->o.parallel, MS_GPR__TASKS, ms_gpr__chain_run, h);
         if (h->first == 0 && h->o.search == MS_GPR_SEARCH_AUTO) {
-            status = ms_gpr__sampler_spread(h, &doubt, error);
+            status = ms_gpr_predict(h->source.gp, h->candidate, MS_GPR__WAVE, NULL, variance, error);
+            for (i = 0; i < MS_GPR__WAVE && status == MS_OK; ++i)
+                doubt += sqrt(variance[i]) / ((int)MS_GPR__WAVE * range);
             if (status != MS_OK || doubt > MS_GPR__DOUBT) return status;
         }
         status = ms_gpr_predict(h->source.gp, h->candidate, MS_GPR__WAVE, h->mean, NULL, error);
@@ -3039,23 +2940,12 @@ static ms_status ms_gpr__sampler_make(ms_gpr__sampler *h, ms_gpr__memory *memory
     return status;
 }
 
-static ms_status ms_gpr__check_recommend(ms_gpr_recommend_options *o, int m, ms_error *error)
-{
-    ms_status status = ms_gpr__check_range("tau", o->tau, 0, 1, error);
-    if (status == MS_OK) status = ms_gpr__check_range("avoid_count", o->avoid_count, 0, MS_GPR__INT_MAX, error);
-    if (status == MS_OK) status = ms_gpr__check_range("search", (int)o->search, 0, (int)MS_GPR_SEARCH_VARIANTS, error);
-    if (status == MS_OK && o->avoid_count > 0 && o->avoid == NULL) status = ms_gpr__null("avoid", error);
-    if (!(o->tau > 0)) o->tau = 0.6;
-    if (status != MS_OK) return status;
-    return ms_gpr__check_rows(o->avoid, o->avoid_count, m, MS_GPR__LARGEST, "material to avoid", error);
-}
-
 static ms_status ms_gpr__sampler_run(ms_gpr__sampler *h, ms_error *error)
 {
     const char *reason = "";
-    int liking;
-    ms_status status = ms_gpr__sampler_begin(h, &liking, error);
-    if (status == MS_OK && liking && h->o.search != MS_GPR_SEARCH_VARIANTS) status = ms_gpr__sampler_chains(h, error);
+    ms_status status = ms_gpr__sampler_begin(h, error);
+    if (status == MS_OK && h->seeds > 0 && h->o.search != MS_GPR_SEARCH_VARIANTS)
+        status = ms_gpr__sampler_chains(h, error);
     if (status == MS_OK && h->taken < h->count) status = ms_gpr__sampler_variants(h, error);
     if (h->report.search == MS_GPR_SEARCH_VARIANTS && h->taken > 0) h->report.threshold = h->least;
     h->report.found = h->taken;
@@ -3069,16 +2959,23 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
                                   double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error)
 {
     ms_gpr__sampler sampler, *h = &sampler;
+    ms_gpr_recommend_options *o;
     ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
     ms_status status, predicted;
     int i;
     if (gp == NULL || x == NULL) return ms_gpr__null(gp ? "x" : "gp", error);
-    status = ms_gpr__check_range("count", count, 1, 0x7fffffff / 16, error);
-    if (status != MS_OK) return status;
     memset(h, 0, sizeof *h);
     if (options) h->o = *options;
-    status = ms_gpr__check_recommend(&h->o, gp->m, error);
+    o = &h->o;
+    status = ms_gpr__check_range("count", count, 1, 0x7fffffff / 16, error);
+    if (status == MS_OK) status = ms_gpr__check_range("tau", o->tau, 0, 1, error);
+    if (status == MS_OK) status = ms_gpr__check_range("avoid_count", o->avoid_count, 0, MS_GPR__INT_MAX, error);
+    if (status == MS_OK) status = ms_gpr__check_range("search", (int)o->search, 0, (int)MS_GPR_SEARCH_VARIANTS, error);
+    if (status == MS_OK && o->avoid_count > 0 && o->avoid == NULL) status = ms_gpr__null("avoid", error);
+    if (status == MS_OK)
+        status = ms_gpr__check_rows(o->avoid, o->avoid_count, gp->m, MS_GPR__LARGEST, "material to avoid", error);
     if (status != MS_OK) return status;
+    if (!(o->tau > 0)) o->tau = 0.6;
     h->count = count;
     h->x = x;
     h->least = HUGE_VAL;
@@ -3124,25 +3021,19 @@ static void ms_gpr__pool_chunk(void *context, int chunk)
                   p->variance + first);
 }
 
-/* How much candidate j is worth as choice number q: 1.96 sigma - |mean - threshold| ("straddle"); where the model has
-   choices, P(score > floor) sigma in turns with it. By the former alone, after five galleries of picks, the divergence
-   of persons who like one class was larger. */
-static double ms_gpr__pool_worth(const ms_gpr__pool *p, int q, int j)
-{
-    double sigma = sqrt(p->variance[j]);
-    if (p->source.gp->view.choices.count == 0 || q % 2 == 0) return 1.96 * sigma - fabs(p->mean[j] - p->threshold);
-    return sigma > 0 ? 0.5 * erfc((p->source.floor - p->mean[j]) / (1.4142135623730951 * sigma)) * sigma : 0;
-}
-
-/* The candidate of the largest worth; if all are taken, one of them. */
+/* Choice number q: of the candidates that are left the one of the largest 1.96 sigma - |mean - threshold| ("straddle");
+   where the model has choices, of P(score > floor) sigma in turns with it. By the former alone, after five galleries of
+   picks, the divergence of persons who like one class was larger. If all are taken, one of them. */
 static int ms_gpr__pool_best(const ms_gpr__pool *p, int q)
 {
-    double largest = -HUGE_VAL, worth;
+    const int straddle = p->source.gp->view.choices.count == 0 || q % 2 == 0;
+    double largest = -HUGE_VAL;
     int best = q % p->size, j;
     for (j = 0; j < p->size; ++j) {
-        if (p->taken[j]) continue;
-        worth = ms_gpr__pool_worth(p, q, j);
-        if (worth > largest) largest = worth, best = j;
+        double sigma = sqrt(p->variance[j]), below = (p->source.floor - p->mean[j]) / fmax(sigma, 1e-300);
+        double worth = 1.96 * sigma - fabs(p->mean[j] - p->threshold);
+        if (!straddle) worth = 0.5 * erfc(below / sqrt(2.0)) * sigma;
+        if (!p->taken[j] && worth > largest) largest = worth, best = j;
     }
     return best;
 }
@@ -3239,9 +3130,9 @@ enum {
 
 struct ms_gpr_latent {
     int z, m;
-    ms_gpr *gp; /* of the latents, lengths 1: their kernel. Its scores are 0 */
+    ms_gpr *gp; /* of the latents, lengths 1: their kernel. Its scores mean nothing */
     size_t stride;
-    ms_gpr__memory memory; /* what follows */
+    ms_gpr__memory memory; /* the plane itself, and what follows */
     double *center;        /* [m] subtracted from the materials */
     double *x;             /* [m][stride] materials less center, by dimension, padded with zeros */
     double *weight;        /* [m][stride] K'^-1 x */
@@ -3253,40 +3144,42 @@ struct ms_gpr_latent {
 typedef struct ms_gpr__embedding {
     const ms_gpr_latent *plane;
     ms_gpr__problem problem;
-    double *weight; /* [m][stride] K'^-1 x */
-    double *q;      /* [starts][2 z + 2] */
+    double *q; /* [starts][2 z + 2] */
     double *low, *high;
     double *work; /* of the minimizer */
     double prior;
     int evaluations;
 } ms_gpr__embedding;
 
-/* log p(X | L, theta) = -1/2 tr(K'^-1 X X') - m/2 log |K'| - z m/2 log 2 pi (3.8) at the points of the problem.
-   gradient [2 + 2 z]: minus its derivatives by log sf, log sn and the points, or NULL. The materials are m independent
-   columns, so dlogp/dK' = (A A' - m K'^-1) / 2, A = K'^-1 X. 0 where K' is not positive definite. */
-static int ms_gpr__latent_likelihood(ms_gpr__embedding *e, double sf2, double noise, double *likelihood,
-                                     double *gradient)
+/* Minus log p(X | L, theta) = -1/2 tr(K'^-1 X X') - m/2 log |K'| - z m/2 log 2 pi (3.8) less the prior of the latents,
+   by number of data, and its gradient. The materials are m independent columns, so dlogp/dK' = (A A' - m K'^-1) / 2,
+   A = K'^-1 X, which is left in the plane's weights. 0 where K' is not positive definite. */
+static int ms_gpr__latent_objective(void *context, const double *q, double *value, double *gradient)
 {
+    ms_gpr__embedding *e = (ms_gpr__embedding *)context;
     ms_gpr__problem *p = &e->problem;
     const ms_gpr__kernels *f = p->kernels;
     const int z = p->n, m = e->plane->m, padded = ms_gpr__padded(z);
+    const double sf2 = exp(2 * q[0]), noise = exp(2 * q[1]), data = (double)z * m;
+    double *weight = e->plane->weight, likelihood, penalty = 0;
     int i, j, k;
+    ++e->evaluations;
+    for (k = 0; k < 2; ++k) memcpy(p->points + (size_t)k * p->stride, q + 2 + k * z, (size_t)z * sizeof *q);
     ms_gpr__covariance(f, p->points, p->stride, z, 2, sf2, p->kernel);
     if (!ms_gpr__factor(f, p->kernel, p->stride, z, sf2, noise, p->upper)) return 0;
-    *likelihood = -0.5 * m * (ms_gpr__log_determinant(p->upper, p->stride, z) + z * MS_GPR__LOG_2_PI);
-    memcpy(e->weight, e->plane->x, (size_t)m * p->stride * sizeof *e->weight);
+    likelihood = -0.5 * m * (ms_gpr__log_determinant(p->upper, p->stride, z) + z * MS_GPR__LOG_2_PI);
+    memcpy(weight, e->plane->x, (size_t)m * p->stride * sizeof *weight);
     for (k = 0; k < m; ++k) {
-        double *column = e->weight + (size_t)k * p->stride;
+        double *column = weight + (size_t)k * p->stride;
         ms_gpr__solve(f, p->upper, p->stride, padded, column);
-        *likelihood -= 0.5 * f->dot(column, e->plane->x + (size_t)k * p->stride, padded);
+        likelihood -= 0.5 * f->dot(column, e->plane->x + (size_t)k * p->stride, padded);
     }
-    if (gradient == NULL) return 1;
 
     /* upper = m K'^-1 - A A'; dK/dlog sf = 2 K, dK_ij/dp_ik = -K_ij (p_ik - p_jk), each pair twice */
     ms_gpr__minus_inverse(p, p->upper, padded);
     for (i = 0; i < z; ++i)
         for (j = i; j < z; ++j) p->upper[(size_t)i * p->stride + (size_t)j] *= -m;
-    f->reduce(p->upper, p->stride, e->weight, p->stride, e->weight, p->stride, padded, padded, m, MS_GPR__UPPER);
+    f->reduce(p->upper, p->stride, weight, p->stride, weight, p->stride, padded, padded, m, MS_GPR__UPPER);
     memset(gradient, 0, (2 + 2 * (size_t)z) * sizeof *gradient);
     for (i = 0; i < z; ++i) {
         const double *w = p->upper + (size_t)i * p->stride, *kernel = p->kernel + (size_t)i * p->stride;
@@ -3302,20 +3195,6 @@ static int ms_gpr__latent_likelihood(ms_gpr__embedding *e, double sf2, double no
             }
         }
     }
-    return 1;
-}
-
-static int ms_gpr__latent_objective(void *context, const double *q, double *value, double *gradient)
-{
-    ms_gpr__embedding *e = (ms_gpr__embedding *)context;
-    const int z = e->plane->z;
-    const double data = (double)z * e->plane->m;
-    double likelihood, penalty = 0;
-    int i, k;
-    ++e->evaluations;
-    for (k = 0; k < 2; ++k)
-        memcpy(e->problem.points + (size_t)k * e->problem.stride, q + 2 + k * z, (size_t)z * sizeof *q);
-    if (!ms_gpr__latent_likelihood(e, exp(2 * q[0]), exp(2 * q[1]), &likelihood, gradient)) return 0;
     for (i = 0; i < 2 + 2 * z; ++i) {
         double pull = i < 2 ? 0 : e->prior * q[i];
         penalty += 0.5 * pull * q[i];
@@ -3358,7 +3237,6 @@ static ms_status ms_gpr__latent_search(ms_gpr__embedding *e, double spread, ms_e
     ms_gpr__minimum found;
     ms_gpr__search search;
     int i, k;
-    memset(&search, 0, sizeof search);
     search.f = ms_gpr__latent_objective;
     search.context = e;
     search.count = count;
@@ -3401,7 +3279,7 @@ static ms_status ms_gpr__latent_condition(ms_gpr_latent *p, ms_simd simd, const 
     parts.n = p->z;
     parts.m = 2;
     parts.x = points;
-    parts.y = p->weight; /* zeros */
+    parts.y = p->x; /* any numbers */
     parts.theta = theta;
     status = ms_gpr__make(&parts, &options, NULL, &p->gp, error);
     if (status != MS_OK) return status;
@@ -3414,12 +3292,13 @@ static ms_status ms_gpr__latent_condition(ms_gpr_latent *p, ms_simd simd, const 
 static ms_status ms_gpr__embedding_make(ms_gpr__embedding *e, const ms_gpr_latent *plane, ms_simd simd,
                                         ms_gpr__memory *memory, ms_error *error)
 {
-    const ms_gpr__kernels *kernels = ms_gpr__kernels_of(ms_gpr__simd_pick(simd));
     const size_t count = 2 * (size_t)plane->z + 2;
-    ms_gpr_choices none = {0, NULL, NULL};
+    ms_gpr_view data;
+    memset(&data, 0, sizeof data);
+    data.n = plane->z;
+    data.y = plane->x; /* any numbers */
     e->plane = plane;
-    ms_gpr__problem_make(&e->problem, kernels, plane->z, 2, 0, &none, memory);
-    e->weight = ms_gpr__take(memory, (size_t)plane->m, plane->stride);
+    ms_gpr__problem_make(&e->problem, ms_gpr__kernels_of(simd), &data, 2, memory);
     e->q = ms_gpr__take(memory, MS_GPR__LATENT_STARTS, count);
     ms_gpr__take_each(memory, count, 2, &e->low, &e->high);
     e->work = ms_gpr__take(memory, ms__size_add(ms_gpr__minimize_doubles((int)count), 2 * plane->stride), 1);
@@ -3429,22 +3308,22 @@ static ms_status ms_gpr__embedding_make(ms_gpr__embedding *e, const ms_gpr_laten
 static ms_status ms_gpr__latent_make(const double *x, int z, int m, const ms_gpr_latent_options *o, ms_gpr_latent **out,
                                      ms_error *error)
 {
+    ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
     ms_gpr_latent *p;
     ms_status status;
     int i, k;
-    *out = NULL;
     if (x == NULL) return ms_gpr__null("x", error);
     status = ms_gpr__check_range("z", z, 2, MS_GPR__N_MAX, error);
     if (status == MS_OK) status = ms_gpr__check_range("m", m, 1, MS_GPR__INT_MAX, error);
     if (status == MS_OK) status = ms_gpr__check_rows(x, z, m, MS_GPR__LARGEST, "material", error);
     if (status != MS_OK) return status;
-    p = (ms_gpr_latent *)(void *)ms__alloc(&o->allocator, sizeof *p);
-    if (p == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a latent space");
-    memset(p, 0, sizeof *p);
+    memory.allocator = o->allocator;
+    p = (ms_gpr_latent *)ms_gpr__take_bytes(&memory, 1, sizeof *p);
+    if (p == NULL) return ms_gpr__taken(&memory, "a latent space", error);
     p->z = z;
     p->m = m;
     p->stride = ms_gpr__stride(z);
-    p->memory.allocator = o->allocator;
+    p->memory = memory;
     p->center = ms_gpr__take(&p->memory, (size_t)m, 1);
     ms_gpr__take_each(&p->memory, ms__size_mul((size_t)m, p->stride), 2, &p->x, &p->weight);
     status = ms_gpr__taken(&p->memory, "a latent space", error);
@@ -3464,12 +3343,12 @@ static ms_status ms_gpr__latent_make(const double *x, int z, int m, const ms_gpr
 
 MS_API void ms_gpr_latent_destroy(ms_gpr_latent *plane)
 {
-    ms_allocator allocator;
-    if (plane == NULL) return;
-    allocator = plane->memory.allocator;
-    ms_gpr_destroy(plane->gp);
-    ms_gpr__release(&plane->memory);
-    ms__release(&allocator, plane, sizeof *plane);
+    ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
+    if (plane) {
+        memory = plane->memory;
+        ms_gpr_destroy(plane->gp);
+    }
+    ms_gpr__release(&memory);
 }
 
 MS_API ms_gpr_latent_view ms_gpr_latent_view_of(const ms_gpr_latent *plane)
@@ -3527,11 +3406,12 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
 {
     ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
     ms_gpr_latent_options o;
-    ms_gpr_latent *p;
+    ms_gpr_latent *p = NULL;
     ms_gpr__embedding e;
     double spread, centers;
+    size_t size;
     ms_status status;
-    int i, k;
+    int i;
     if (out == NULL) return ms_gpr__null("out", error);
     *out = NULL;
     memset(&o, 0, sizeof o);
@@ -3542,23 +3422,23 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
     if (status != MS_OK) return status;
     memory.allocator = o.allocator;
     e.prior = o.prior;
-    spread = ms_gpr__product(p->x, p->x, (size_t)m * p->stride) / ((double)z * m);
+    size = (size_t)m * p->stride;
+    spread = ms_gpr__product(p->x, p->x, size) / ((double)z * m);
     centers = ms_gpr__product(p->center, p->center, (size_t)m) / m;
     if (!(spread > 1e-300) || !(spread > 1e-26 * centers))
         status = ms__fail(error, MS_BAD_DATA, 0, "all %d materials are equal", z);
     if (status == MS_OK) status = ms_gpr__embedding_make(&e, p, o.simd, &memory, error);
     if (status == MS_OK) status = ms_gpr__latent_search(&e, sqrt(spread), error);
     if (status == MS_OK) {
-        for (i = 0; i < z; ++i)
-            for (k = 0; k < 2; ++k)
-                e.work[2 * i + k] = e.problem.points[(size_t)k * p->stride + (size_t)i] = e.q[2 + k * z + i];
+        for (i = 0; i < 2 * z; ++i) e.work[i] = e.q[2 + i % 2 * z + i / 2];
         status = ms_gpr__latent_condition(p, o.simd, e.work, e.q[0], e.q[1], error);
     }
     if (status == MS_OK && report) {
         /* what the plane makes of its own latents, less the materials, is K'^-1 X times the noise */
         const double noise = ms_gpr__sn2(p->gp) + p->gp->view.jitter * ms_gpr__sf2(p->gp);
-        report->error = noise * sqrt(ms_gpr__product(p->weight, p->weight, (size_t)m * p->stride) / ((double)z * m));
-        ms_gpr__latent_likelihood(&e, ms_gpr__sf2(p->gp), noise, &report->likelihood, NULL);
+        const double determinant = ms_gpr__log_determinant(p->gp->upper, p->stride, z);
+        report->error = noise * sqrt(ms_gpr__product(p->weight, p->weight, size) / ((double)z * m));
+        report->likelihood = -0.5 * (ms_gpr__product(p->weight, p->x, size) + m * (determinant + z * MS_GPR__LOG_2_PI));
         report->evaluations = e.evaluations;
     }
     ms_gpr__release(&memory);

@@ -186,6 +186,11 @@ if [ -x build/recommend ]; then
     ok "recommendations" build/recommend "$out/scores.csv" --count 20 --tau 0.5 --seed 3 --out "$out/r.csv"
     is "as many as asked for" "$(grep -v '^#' "$out/r.csv" | grep -c '^[0-9]')" 20
     is "it says what is liked" "$(build/recommend "$out/scores.csv" --tau 0.8 2>&1 >/dev/null | grep -c '^liked for: x[0-3] 0\.[0-9]* to 0\.')" 1
+    # too few scores for a threshold: four of five are above the floor, one of them is 2
+    printf '0.1,0.2,8\n0.3,0.1,2\n0.5,0.9,9\n0.2,0.4,7\n0.9,0.3,1\n' >"$out/five.csv"
+    is "what variants are of" "$(build/recommend "$out/five.csv" --count 3 2>&1 >/dev/null | grep -c '^warning: .* variants of the 4 materials scored above 1\.')" 1
+    printf '0.1,0\n' >"$out/one.csv"
+    is "one of each" "$(build/recommend "$out/one.csv" --count 1 2>&1 >/dev/null | grep -c -e '^warning: no score is above 0 yet' -e '^1 score of 1 parameter;' -e '^1 recommendation\.')" 3
     # what is kept: a range in steps, two equal columns, a list of metals of which one is not in the range; then 20 more, and others than those
     printf 'x2,x3\n0.4,0.5\n0.6,0.45\n0.9,0.5\n' >"$out/metals.csv"
     set -- "$out/scores.csv" --tau 0.5 --seed 3 --keep x0=0.1:0.9:0.01 --keep x1=x0 --keep x2=0:0.8 --list "$out/metals.csv"

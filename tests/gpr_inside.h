@@ -113,7 +113,7 @@ static TEST_UNUSED ms_status inside_rescore(ms_gpr *gp, int row, double y, ms_er
 
 #ifdef TEST_INSIDE_BODY
 /* The level that a cap leads to. */
-TEST_INSIDE ms_simd inside_level(ms_simd cap) { return ms_gpr__simd_pick(cap); }
+TEST_INSIDE ms_simd inside_level(ms_simd cap) { return ms_gpr__kernels_of(cap)->level; }
 
 /* c = exp(-c / 2), count a multiple of 8. */
 TEST_INSIDE void inside_exponentials(ms_simd level, double *c, int count)
@@ -158,12 +158,25 @@ TEST_INSIDE int inside_fit_objective(const double *x, const double *y, int n, in
     return defined;
 }
 
+/* The problem of this model's data and theta, in memory that is to be released whatever is returned. */
+TEST_INSIDE ms_status inside_problem(const ms_gpr *gp, ms_gpr__problem *p, ms_gpr__memory *memory, ms_error *error)
+{
+    ms_status status;
+    int i;
+    ms_gpr__problem_make(p, gp->kernels, &gp->view, gp->active, memory);
+    status = ms_gpr__taken(memory, "a likelihood", error);
+    if (status != MS_OK) return status;
+    memcpy(p->points, gp->points, (size_t)gp->active * gp->stride * sizeof *p->points);
+    for (i = 0; i < gp->n; ++i) p->target[i] = ms_gpr__target(gp, i);
+    return MS_OK;
+}
+
 /* The mode of what was said, [n], and the likelihood by Laplace's approximation, computed anew; 0: it fails. */
 TEST_INSIDE int inside_mode(const ms_gpr *gp, double *likelihood, double *latent)
 {
     ms_gpr__problem problem;
     ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
-    int found = ms_gpr__problem_of(gp, &problem, &memory, NULL) == MS_OK;
+    int found = inside_problem(gp, &problem, &memory, NULL) == MS_OK;
     found = found && ms_gpr__evaluate(&problem, ms_gpr__sf2(gp), ms_gpr__sn2(gp), likelihood, NULL);
     if (found) memcpy(latent, problem.latent, (size_t)gp->n * sizeof *latent);
     ms_gpr__release(&memory);
@@ -212,7 +225,7 @@ TEST_INSIDE ms_status inside_likelihood(const ms_gpr *gp, double *likelihood, do
     if (gp == NULL) return ms_gpr__null("gp", error);
     sf2 = ms_gpr__sf2(gp);
     sn2 = ms_gpr__sn2(gp);
-    status = ms_gpr__problem_of(gp, &p, &memory, error);
+    status = inside_problem(gp, &p, &memory, error);
     if (status == MS_OK && !ms_gpr__evaluate(&p, sf2, sn2 + gp->view.jitter * sf2, &value, gradient)) {
         status = ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix is not positive definite");
     } else if (status == MS_OK) {
@@ -260,27 +273,31 @@ TEST_INSIDE ms_status inside_latent_likelihood(const ms_gpr_latent *plane, doubl
                                                double *gradient_latent, ms_error *error)
 {
     static double gradient[2 + 2 * 1000];
-    double sf2, noise, value = 0;
+    static double q[2 + 2 * 1000];
+    double noise, data, value = 0;
     ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
     ms_gpr__embedding e;
     int i, k, defined;
     if (plane == NULL) return ms_gpr__null("plane", error);
     memset(&e, 0, sizeof e);
-    sf2 = ms_gpr__sf2(plane->gp);
-    noise = ms_gpr__sn2(plane->gp) + plane->gp->view.jitter * sf2;
+    noise = ms_gpr__sn2(plane->gp) + plane->gp->view.jitter * ms_gpr__sf2(plane->gp);
+    data = (double)plane->z * plane->m;
     if (ms_gpr__embedding_make(&e, plane, plane->gp->o.simd, &memory, error) != MS_OK) {
         ms_gpr__release(&memory);
         return MS_OUT_OF_MEMORY;
     }
-    memcpy(e.problem.points, plane->gp->points, 2 * plane->gp->stride * sizeof(double));
-    defined = ms_gpr__latent_likelihood(&e, sf2, noise, &value, gradient_theta || gradient_latent ? gradient : NULL);
+    q[0] = plane->gp->view.theta[2];
+    q[1] = 0.5 * log(noise);
+    for (k = 0; k < 2; ++k)
+        for (i = 0; i < plane->z; ++i) q[2 + k * plane->z + i] = plane->gp->view.x[2 * i + k];
+    defined = ms_gpr__latent_objective(&e, q, &value, gradient);
     for (k = 0; defined && gradient_latent && k < 2; ++k)
-        for (i = 0; i < plane->z; ++i) gradient_latent[2 * i + k] = -gradient[2 + k * plane->z + i];
+        for (i = 0; i < plane->z; ++i) gradient_latent[2 * i + k] = -data * gradient[2 + k * plane->z + i];
     ms_gpr__release(&memory);
     if (!defined) return ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix is not positive definite");
-    if (likelihood) *likelihood = value;
-    if (gradient_theta) gradient_theta[0] = -gradient[0]; /* of log sf, log sn */
-    if (gradient_theta) gradient_theta[1] = -gradient[1] * ms_gpr__sn2(plane->gp) / noise;
+    if (likelihood) *likelihood = -data * value;
+    if (gradient_theta) gradient_theta[0] = -data * gradient[0]; /* of log sf, log sn */
+    if (gradient_theta) gradient_theta[1] = -data * gradient[1] * ms_gpr__sn2(plane->gp) / noise;
     return MS_OK;
 }
 

@@ -1037,7 +1037,7 @@ static void test_fresh_users(void)
     TEST_METHOD;
     for (i = 0; i < users; ++i) {
         uint64_t state = test_seed * 1000 + (uint64_t)i;
-        user u = user_make(state + 500, M, i % 2 ? 0.19 : 0.10); /* the two shares of the thesis */
+        person u = user_make(state + 500, M, i % 2 ? 0.19 : 0.10); /* the two shares of the thesis */
         double d[2];
         user_gallery(&u, N, x, y, &state);
         for (k = 0; k < H * M; ++k) held[k] = test_uniform(&state);
@@ -1071,7 +1071,7 @@ static void test_few_scores(void)
     TEST_METHOD;
     for (i = 0; i < users; ++i) {
         uint64_t state = test_seed * 1000 + 5000 + (uint64_t)i;
-        user u = user_make(state, M, i % 2 ? 0.19 : 0.10);
+        person u = user_make(state, M, i % 2 ? 0.19 : 0.10);
         user_gallery(&u, N, x, y, &state);
         for (k = 0; k < H * M; ++k) held[k] = test_uniform(&state);
         for (k = 0; k < H; ++k) truth[k] = user_true(&u, held + k * M);
@@ -1105,7 +1105,7 @@ static void test_scales(void)
     memset(jsd, 0, sizeof jsd);
     for (i = 0; i < users; ++i) {
         uint64_t state = test_seed * 1000 + 9000 + (uint64_t)i;
-        user u = user_make(state, M, 0.15);
+        person u = user_make(state, M, 0.15);
         user_gallery(&u, N, x, y, &state);
         for (k = 0; k < H * M; ++k) held[k] = test_uniform(&state);
         for (k = 0; k < H; ++k) truth[k] = user_true(&u, held + k * M);
@@ -1153,7 +1153,7 @@ static void test_wrong_answers(void)
     for (i = 0; i < users; ++i) {
         double jsd[3], noise[3];
         uint64_t state = test_seed * 1000 + 8000 + (uint64_t)i;
-        user u = user_make(state, M, 0.15);
+        person u = user_make(state, M, 0.15);
         user_gallery(&u, N, x, y, &state);
         for (k = 0; k < H * M; ++k) held[k] = test_uniform(&state);
         for (k = 0; k < H; ++k) truth[k] = user_true(&u, held + k * M);
@@ -1187,7 +1187,7 @@ static void test_outliers(void)
         for (kind = 0; kind < USER_KINDS - 1; ++kind)
             for (i = 0; i < users; ++i) {
                 uint64_t state = 977 + (uint64_t)(i + 100 * kind) + 1000 * test_seed;
-                user u = user_of_kind(kind, (uint64_t)i + 50 + 100 * test_seed, M);
+                person u = user_of_kind(kind, (uint64_t)i + 50 + 100 * test_seed, M);
                 warnings_outlier r;
                 double explained;
                 ms_gpr *gp;
@@ -1341,7 +1341,7 @@ static void test_two_thousand(void)
     double *x = (double *)malloc((size_t)n * M * sizeof *x), *y = (double *)malloc((size_t)n * sizeof *y),
            *mean = (double *)malloc((size_t)n * sizeof *y);
     uint64_t state = test_seed;
-    user u = user_make(4, M, 0.19);
+    person u = user_make(4, M, 0.19);
     ms_gpr_fit_options o = fit_options();
     double start[M + 2];
     ms_gpr_fit_report r;

@@ -571,10 +571,10 @@ static void test_learning(void)
     enum { N = 60, M = 6, HELD = 2000 };
     static double x[N * M], y[N], held[2 * HELD * M], mean[2 * HELD], right[3];
     static const int count[3] = {15, 60, 240};
-    int pairs[480], round, i, k, person;
+    int pairs[480], round, i, k, who;
     memset(right, 0, sizeof right);
-    for (person = 0; person < 3; ++person) {
-        uint64_t state = test_seed + 100 + (uint64_t)person;
+    for (who = 0; who < 3; ++who) {
+        uint64_t state = test_seed + 100 + (uint64_t)who;
         for (i = 0; i < N * M; ++i) x[i] = test_uniform(&state);
         for (i = 0; i < 2 * HELD * M; ++i) held[i] = test_uniform(&state);
         for (i = 0; i < N; ++i) y[i] = MS_GPR_UNSCORED;
@@ -615,10 +615,10 @@ static void test_confidence(void)
     enum { N = 100, M = 6, PAIRS = 50, PERSONS = 10, HELD = 2000 };
     static double x[N * M], y[N], f[N], mean[N];
     double loss = 0, most = 0;
-    int pairs[2 * PAIRS], person, i;
+    int pairs[2 * PAIRS], who, i;
     TEST_METHOD;
-    for (person = 0; person < PERSONS; ++person) {
-        uint64_t state = test_seed + 500 + (uint64_t)person;
+    for (who = 0; who < PERSONS; ++who) {
+        uint64_t state = test_seed + 500 + (uint64_t)who;
         double sum = 0, sum2 = 0, ratio, sn;
         ms_gpr_fit_options o;
         ms_gpr *gp;

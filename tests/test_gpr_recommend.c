@@ -66,7 +66,7 @@ static double two_sample_limit(int n, int m) { return sqrt(-0.5 * log(0.5e-4)) *
 
 /* A user's 250 scores and a model of them: lengths from the user's own terms stand in for a fit. */
 typedef struct taste {
-    user u;
+    person u;
     int n, m;
     double *x, *y;
     double theta[USER_DIMENSIONS_MAX + 2];
@@ -424,7 +424,8 @@ static void test_threads(void)
     }
 }
 
-/* Without a box: the units that columns come in, whole ranges where those are round, the value of what is locked. */
+/* Without a box: the range of the materials, [0, 1] where they lie there, the value of what is locked; with space_round
+   the units that columns come in and whole ranges where those are round. */
 static void test_natural_box(void)
 {
     enum { N = 60, M = 9, COUNT = 200, EVEN = 500 };
@@ -432,6 +433,8 @@ static void test_natural_box(void)
                         high[M] = {1, 1, 100, 255, 5, 2, 42, 360, 180}; /* drawn from */
     static double even[EVEN * M];
     double x[N * M], y[N], r[COUNT * M], least, most;
+    space_wish none;
+    space_kept kept;
     ms_gpr_gallery_options g;
     ms_gpr_recommend_options o = recommend_options();
     uint64_t state = 13;
@@ -443,6 +446,23 @@ static void test_natural_box(void)
     }
     CHECK_INT(ms_gpr_fit(x, y, N, M, NULL, &gp, NULL, NULL), MS_OK);
     o.search = MS_GPR_SEARCH_THRESHOLD;
+    memset(&g, 0, sizeof g);
+    CHECK_INT(ms_gpr_gallery(gp, &g, EVEN, even, NULL), MS_OK);
+    for (k = 0; k < M; ++k) {
+        double drawn[2] = {1e300, -1e300}, shown[2] = {1e300, -1e300};
+        for (i = 0; i < N; ++i) drawn[0] = fmin(drawn[0], x[i * M + k]), drawn[1] = fmax(drawn[1], x[i * M + k]);
+        for (i = 0; i < EVEN; ++i)
+            shown[0] = fmin(shown[0], even[i * M + k]), shown[1] = fmax(shown[1], even[i * M + k]);
+        if (k == 0) drawn[0] = 0, drawn[1] = 1;
+        CHECK(shown[0] >= drawn[0] && shown[1] <= drawn[1]);
+        if (k == 2 || k == 4) continue;                            /* what is liked is looked at most */
+        CHECK_NEAR(shown[0], drawn[0], 0.03 * (high[k] - low[k])); /* of 500: half of them uniform, chance e^-7 */
+        CHECK_NEAR(shown[1], drawn[1], 0.03 * (high[k] - low[k]));
+    }
+    memset(&none, 0, sizeof none);
+    CHECK(space_make(&kept, &none, M) == NULL);
+    space_round(&kept, x, N);
+    o.space = g.space = space_of(&kept);
     CHECK_INT(ms_gpr_recommend(gp, &o, COUNT, r, NULL, NULL, NULL, NULL), MS_OK);
     for (k = 0; k < M; ++k) {
         for (i = 0, least = 1e300, most = -1e300; i < COUNT; ++i) {
@@ -455,7 +475,6 @@ static void test_natural_box(void)
                        0.1 * (high[k] - low[k])); /* of 200: 5% at each end, chance e^-10 */
         CHECK(most >= high[k] - 0.1 * (high[k] - low[k]));
     }
-    memset(&g, 0, sizeof g);
     CHECK_INT(ms_gpr_gallery(gp, &g, EVEN, even, NULL), MS_OK);
     for (k = 0; k < M; ++k) {
         for (i = 0, least = 1e300, most = -1e300; i < EVEN; ++i) {
@@ -466,7 +485,18 @@ static void test_natural_box(void)
         CHECK_NEAR(least, low[k], 0.03 * (high[k] - low[k])); /* of 500: half of them uniform, chance e^-7 */
         CHECK_NEAR(most, high[k], 0.03 * (high[k] - low[k]));
     }
+    space_free(&kept);
     ms_gpr_destroy(gp);
+    for (i = 7; i < 9; ++i) {
+        int moves = 0;
+        for (k = 0; k < i; ++k) x[2 * k] = 0.5, x[2 * k + 1] = 0.1 * k;
+        CHECK_INT(ms_gpr_fit(x, y, i, 2, NULL, &gp, NULL, NULL), MS_OK);
+        memset(&g, 0, sizeof g);
+        CHECK_INT(ms_gpr_gallery(gp, &g, COUNT, r, NULL), MS_OK);
+        for (k = 0; k < COUNT; ++k) moves |= fabs(r[2 * k] - 0.5) > 0;
+        CHECK_INT(moves, i < 8); /* equal in 8 rows: locked */
+        ms_gpr_destroy(gp);
+    }
 }
 
 /* Steps, things to keep away from, and more of the same sequence, by both searches. */
@@ -1207,7 +1237,7 @@ static void test_gallery_active(void)
     for (i = 0; i < users; ++i)
         for (way = 0; way < 2; ++way) {
             uint64_t state = 70 + (uint64_t)i + 1000 * test_seed;
-            user u = user_make(state, M, 0.15);
+            person u = user_make(state, M, 0.15);
             ms_gpr_recommend_options o = recommend_options();
             ms_gpr *gp;
             for (n = 0; n <= N; n += ROUND) {
@@ -1810,8 +1840,8 @@ static void test_warnings(void)
     TEST_METHOD;
     for (way = 0; way < 3; ++way) /* honest, another taste from 60 on, partly random */
         for (i = 0; i < KINDS * PERSONS; ++i) {
-            user u = user_of_kind(kinds[i / PERSONS], (uint64_t)(300 + i), M);
-            user other = user_of_kind(kinds[(i / PERSONS + 1) % KINDS], (uint64_t)(400 + i), M);
+            person u = user_of_kind(kinds[i / PERSONS], (uint64_t)(300 + i), M);
+            person other = user_of_kind(kinds[(i / PERSONS + 1) % KINDS], (uint64_t)(400 + i), M);
             uint64_t state = (uint64_t)(50 + i);
             if (way == 2) u.wrong = 0.2;
             for (n = 0; n <= N; n += ROUND) {

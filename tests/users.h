@@ -3,8 +3,8 @@
    weight below or above a limit) and of tastes (a favored value of roughness, of an albedo, ...); every other
    dimension means nothing to the user, as in chapter 3 of the thesis, where 81 to 90% of a first gallery scores 0.
 
-     user u = user_make(seed, 19, 0.10);      one who scores 10% of uniform materials above 0
-     user v = user_of_kind(kind, seed, 19);   one of the USER_KINDS, see user_kinds
+     person u = user_make(seed, 19, 0.10);      one who scores 10% of uniform materials above 0
+     person v = user_of_kind(kind, seed, 19);   one of the USER_KINDS, see user_kinds
      double s = user_true(&u, x), k = user_score(&u, x, &state); */
 #ifndef TEST_USERS_H
 #define TEST_USERS_H
@@ -22,14 +22,14 @@ typedef struct user_class {
     double width[USER_TERMS]; /* negative: a gate that is open below its center */
 } user_class;
 
-typedef struct user {
+typedef struct person {
     int m, classes;
     user_class liked[USER_CLASSES];
     double cut, top; /* g at u* = 0 and at u* = 10 */
     double human;    /* standard deviation of the user's own inconsistency, in scores */
     double wrong;    /* share of answers that are random */
     int stars;       /* says 0 to `stars` in place of 0 to 10 */
-} user;
+} person;
 
 static double user__product(const user_class *c, const double *x)
 {
@@ -42,7 +42,7 @@ static double user__product(const user_class *c, const double *x)
     return g;
 }
 
-static double user__g(const user *u, const double *x)
+static double user__g(const person *u, const double *x)
 {
     double g = 0;
     int c;
@@ -51,14 +51,14 @@ static double user__g(const user *u, const double *x)
 }
 
 /* The true preference, 0 to about 10. */
-static TEST_UNUSED double user_true(const user *u, const double *x)
+static TEST_UNUSED double user_true(const person *u, const double *x)
 {
     double v = 10 * (user__g(u, x) - u->cut) / (u->top - u->cut);
     return v > 0 ? v : 0;
 }
 
 /* What the user says: the nearest whole score after an inconsistency of u->human. */
-static TEST_UNUSED double user_score(const user *u, const double *x, uint64_t *state)
+static TEST_UNUSED double user_score(const person *u, const double *x, uint64_t *state)
 {
     double s = user_true(u, x), top = u->stars ? u->stars : 10;
     if (u->wrong > 0 && test_uniform(state) < u->wrong) return floor((top + 1) * test_uniform(state));
@@ -74,13 +74,13 @@ static int user__compare(const void *a, const void *b)
 
 /* liking: the share of uniform materials with u* > 0. The cut is that quantile of g on 4000 materials. classes: 0: one
    or two. scale: of all widths. and_terms: more tastes a class, all of which must be met. */
-static TEST_UNUSED user user__make(uint64_t seed, int m, double liking, int classes, double scale, int and_terms)
+static TEST_UNUSED person user__make(uint64_t seed, int m, double liking, int classes, double scale, int and_terms)
 {
     enum { SAMPLES = 4000 };
     static double g[SAMPLES];
     uint64_t state = seed * 0x9E3779B97F4A7C15u + 1;
     double x[USER_DIMENSIONS_MAX];
-    user u;
+    person u;
     int c, t, k, i;
     memset(&u, 0, sizeof u);
     u.m = m;
@@ -120,7 +120,10 @@ static TEST_UNUSED user user__make(uint64_t seed, int m, double liking, int clas
     return u;
 }
 
-static TEST_UNUSED user user_make(uint64_t seed, int m, double liking) { return user__make(seed, m, liking, 0, 1, 0); }
+static TEST_UNUSED person user_make(uint64_t seed, int m, double liking)
+{
+    return user__make(seed, m, liking, 0, 1, 0);
+}
 
 static TEST_UNUSED const char *const user_kinds[USER_KINDS] = {"one class, 10% liked",
                                                                "one class, 20%",
@@ -135,22 +138,22 @@ static TEST_UNUSED const char *const user_kinds[USER_KINDS] = {"one class, 10% l
                                                                "five stars",
                                                                "10% of the answers random"};
 
-static TEST_UNUSED user user_of_kind(int kind, uint64_t seed, int m)
+static TEST_UNUSED person user_of_kind(int kind, uint64_t seed, int m)
 {
     static const double liking[USER_KINDS] = {0.10, 0.20, 0.10, 0.20, 0.20, 0.10, 0.10, 0.10, 0.03, 0.02, 0.10, 0.10};
     static const int classes[USER_KINDS] = {1, 1, 2, 2, 3, 1, 1, 1, 1, 1, 1, 1};
-    user u = user__make(seed + 1000 * (uint64_t)kind, m, liking[kind], classes[kind],
-                        kind == 5       ? 0.5
-                            : kind == 6 ? 2
-                                        : 1,
-                        kind == 7 ? 2 : 0);
+    person u = user__make(seed + 1000 * (uint64_t)kind, m, liking[kind], classes[kind],
+                          kind == 5       ? 0.5
+                              : kind == 6 ? 2
+                                          : 1,
+                          kind == 7 ? 2 : 0);
     if (kind == 10) u.stars = 5;
     if (kind == 11) u.wrong = 0.1;
     return u;
 }
 
 /* Which class x belongs to, most. */
-static TEST_UNUSED int user_class_of(const user *u, const double *x)
+static TEST_UNUSED int user_class_of(const person *u, const double *x)
 {
     int best = 0, c;
     for (c = 1; c < u->classes; ++c)
@@ -159,7 +162,7 @@ static TEST_UNUSED int user_class_of(const user *u, const double *x)
 }
 
 /* n uniform materials and their scores; x is [n][m]. */
-static TEST_UNUSED void user_gallery(const user *u, int n, double *x, double *score, uint64_t *state)
+static TEST_UNUSED void user_gallery(const person *u, int n, double *x, double *score, uint64_t *state)
 {
     int i, k;
     for (i = 0; i < n; ++i) {

@@ -177,7 +177,7 @@ def studio(b):
     b.value("heard({ learned: studio.answers, settled: 1, state: 1, problem: '', warning: 'These scores contradict each other.' }), 1")
     check("and of the scores", b.value("/^These scores contradict each other\\./.test(document.getElementById('warning').textContent)"))
     b.value("warn(warnings[1]), 1")
-    check("as a sentence", b.value("!document.getElementById('warning').hidden && /variants of what you liked/.test(document.getElementById('warning').textContent)"))
+    check("as a sentence", b.value("!document.getElementById('warning').hidden && /variants of what you scored/.test(document.getElementById('warning').textContent)"))
 
     # thought again, and back
     old = b.value("studio.scored[59].score")

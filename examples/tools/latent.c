@@ -95,7 +95,7 @@ int main(int argc, char **argv)
 {
     static const char *const title[3] = {"predicted score", "similarity to the best", "score \xd7 similarity"};
     static const char dots[] =
-        "white: materials that were liked; red: the best; black: variants of it; gray, ?: not known; line: half known";
+        "white: materials scored above 0; red: the best; black: variants of it; gray, ?: not known; line: half known";
     static const char *const unit[3] = {"score", "similar", "product"};
     static double preference[GRID * GRID], confidence[GRID * GRID], product[GRID * GRID], similar[COARSE * COARSE];
     static const float white[3] = {1, 1, 1}, red[3] = {1, 0.15f, 0.1f}, black[3] = {0, 0, 0};

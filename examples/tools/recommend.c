@@ -122,9 +122,12 @@ static int failed(const char *where, const char *problem, int line)
     return 1;
 }
 
+static const char *plural(int count) { return count == 1 ? "" : "s"; }
+
 /* What the answers do not support. */
-static void warn(const scores *s, const ms_gpr *gp, const ms_gpr_recommend_report *report)
+static void warn(const scores *s, const ms_gpr *gp, const ms_gpr_recommend_report *report, int comparisons)
 {
+    const double floor_score = ms_gpr_view_of(gp).floor;
     char text[WARNINGS_TEXT];
     double nearest = 0, explained;
     const warnings_outlier outlier = warnings_judge(gp, &explained);
@@ -143,11 +146,11 @@ static void warn(const scores *s, const ms_gpr *gp, const ms_gpr_recommend_repor
     if (warning_of(gp, explained, text)) fprintf(stderr, "warning: %s\n", text);
     if (report->search != MS_GPR_SEARCH_VARIANTS) return;
     if (report->liked > 0)
-        fprintf(
-            stderr,
-            "warning: too little is known for a threshold: these are variants of the %d materials that were liked.\n",
-            report->liked);
-    else fprintf(stderr, "warning: nothing was liked yet: these are materials unlike those that were not.\n");
+        fprintf(stderr,
+                "warning: too little is known for a threshold: these are variants of the %d material%s scored%s above "
+                "%.3g.\n",
+                report->liked, plural(report->liked), comparisons > 0 ? " or predicted" : "", floor_score);
+    else fprintf(stderr, "warning: no score is above %.3g yet: these are random materials.\n", floor_score);
 }
 
 /* What was learned and found. */
@@ -157,13 +160,14 @@ static void summarize(const scores *s, const ms_gpr_recommend_report *report, in
     int i;
     for (i = 0; i < s->n; ++i) most = fmax(most, s->y[i]);
     if (*s->note) fprintf(stderr, "Of the file, %s.\n", s->note);
-    fprintf(stderr, "%d scores of %d parameters", scored, s->m);
-    if (comparisons > 0) fprintf(stderr, " and %d comparisons", comparisons);
+    fprintf(stderr, "%d score%s of %d parameter%s", scored, plural(scored), s->m, plural(s->m));
+    if (comparisons > 0) fprintf(stderr, " and %d comparison%s", comparisons, plural(comparisons));
     fprintf(stderr, "; the best predicted score is %.3g", report->best);
     if (scored > 0 && report->best > most) fprintf(stderr, ", above the best that was given, %.3g", most);
-    fprintf(stderr, ".\n%d recommendations ", report->found);
-    if (report->search == MS_GPR_SEARCH_VARIANTS) fprintf(stderr, "by variants of what was liked");
-    else fprintf(stderr, "of at least %.3g by a threshold", report->threshold);
+    fprintf(stderr, ".\n%d recommendation%s", report->found, plural(report->found));
+    if (report->search != MS_GPR_SEARCH_VARIANTS)
+        fprintf(stderr, " of at least %.3g by a threshold", report->threshold);
+    else if (report->liked > 0) fprintf(stderr, " by variants");
     fprintf(stderr, ".\n");
     if (report->search == MS_GPR_SEARCH_VARIANTS) return;
     if (report->acceptance > 0) fprintf(stderr, "One uniform material in %.0f would do.\n", 1 / report->acceptance);
@@ -225,6 +229,7 @@ int main(int argc, char **argv)
         ++i;
     }
     if ((problem = keep_space(&kept, &options.space)) != NULL) return failed("--keep", problem, 0);
+    space_round(&kept.made, s.x, s.n);
     if (avoided && (problem = read_materials(avoided, &s, &avoid, &options.avoid_count, &line)) != NULL)
         return failed(avoided, problem, line);
     options.avoid = avoid;
@@ -256,7 +261,7 @@ int main(int argc, char **argv)
         return 1;
     }
     if (!out && file_end_stdout("recommend")) return 1;
-    warn(&s, gp, &report);
+    warn(&s, gp, &report, learn.choices.count);
     summarize(&s, &report, scored, learn.choices.count);
     if (report.search == MS_GPR_SEARCH_THRESHOLD &&
         (of_many = (double *)malloc(EXPLAINED * (size_t)s.m * sizeof *x)) != NULL) {

@@ -1,8 +1,9 @@
-/* Parameters in steps, equal ones, and rows of lists for ms_gpr.h, behind the snap of a ms_gpr_space; ms_gpr.h comes
-   first.
+/* Parameters in steps, equal ones, and rows of lists for ms_gpr.h, behind the snap of a ms_gpr_space; round ranges for
+   those without one; ms_gpr.h comes first.
 
      space_kept s;
      const char *problem = space_make(&s, &wish, 19);   NULL: fine; otherwise a sentence, valid until the next call
+     space_round(&s, x, n);                             ranges that parameters seem to have, where none is wished
      options.space = space_of(&s);                      as long as s lives
      space_free(&s);
 
@@ -232,6 +233,36 @@ static inline const char *space_make(space_kept *s, const space_wish *wish, int 
     free(owner);
     if (problem) space_free(s);
     return problem;
+}
+
+/* Columns without bounds get a round range that holds those of the materials x [n][m]: [0, 1] or another unit's, or
+   steps of 1, 2 or 5 times a power of ten. A locked column, equal in 8 rows or more, keeps its value. */
+static inline void space_round(space_kept *s, const double *x, int n)
+{
+    static const double unit[][2] = {{0, 1}, {-1, 1}, {0, 100}, {0, 255}, {0, 360}, {-180, 180}};
+    int i, k;
+    for (k = 0; k < s->m; ++k) {
+        double least = HUGE_VAL, largest = -HUGE_VAL, low, high, step;
+        for (i = 0; i < n; ++i) {
+            least = fmin(least, x[(size_t)i * (size_t)s->m + (size_t)k]);
+            largest = fmax(largest, x[(size_t)i * (size_t)s->m + (size_t)k]);
+        }
+        low = least, high = largest;
+        for (i = 0; i < 6; ++i) /* [0, 1] holds any such values; another unit's those that fill most of it */
+            if (least >= unit[i][0] && largest <= unit[i][1] &&
+                (i == 0 || largest - least > 0.8 * (unit[i][1] - unit[i][0])))
+                break;
+        if (n >= 8 && !(largest > least)) i = 7;
+        if (i < 6) low = unit[i][0], high = unit[i][1];
+        else if (largest > least) {
+            step = pow(10, floor(log10((largest - least) / 8)));
+            step *= 5 * step <= (largest - least) / 8 ? 5 : 2 * step <= (largest - least) / 8 ? 2 : 1;
+            low = step * floor(least / step);
+            high = step * ceil(largest / step);
+        }
+        if (s->box_low[k] < -1e300) s->box_low[k] = low;
+        if (s->box_high[k] > 1e300) s->box_high[k] = high;
+    }
 }
 
 static inline ms_gpr_space space_of(const space_kept *s)

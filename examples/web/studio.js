@@ -504,8 +504,8 @@ function ask(doubt) {
 const names = { diffuse: 'matt', metal: 'metal', glass: 'glass', jelly: 'translucent' };
 // Sixteen recommendations, the one of the largest predicted score first. While learning goes on they change; those of a
 // settled model are stored, and a reload shows them again.
-const warnings = ['', 'Too little is known to tell all that you like: these are variants of what you liked.',
-  'Nothing was liked yet: these are unlike what you did not like.'];
+const warnings = ['', 'Too little is known to tell all that you like: these are variants of what you scored above the lowest.',
+  'No score is above the lowest yet: these are random materials.'];
 restock = latest(async settled => {
   try {
     const of = answered(), { found, guessed } = await mind.ask('recommend', { count: SHELF });

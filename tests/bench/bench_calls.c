@@ -166,7 +166,7 @@ static void taste(void)
     char text[80];
     int i, k;
     for (i = 0; i < USERS; ++i) {
-        user u = user_make((uint64_t)i, M, 0.1);
+        person u = user_make((uint64_t)i, M, 0.1);
         uint64_t state = 900 + (uint64_t)i;
         ms_gpr *gp;
         ms_error error;

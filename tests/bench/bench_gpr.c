@@ -64,7 +64,7 @@ static ms_gpr *model(int n, int m, ms_simd level, double *x, double *y)
 {
     double theta[64], sum = 0, sum2 = 0;
     uint64_t state = 17;
-    user u = user_make(21, m, 0.19);
+    person u = user_make(21, m, 0.19);
     ms_gpr_options options;
     ms_gpr *gp;
     int i;
@@ -119,7 +119,7 @@ static void bench_large_fits(void)
         double seconds[3];
         for (i = 0; i < 3; ++i) {
             uint64_t state = 100 + (uint64_t)i;
-            user u = user_make((uint64_t)i + 1, sizes[s][1], 0.1);
+            person u = user_make((uint64_t)i + 1, sizes[s][1], 0.1);
             double start;
             ms_gpr *gp;
             user_gallery(&u, sizes[s][0], x, y, &state);
@@ -190,7 +190,7 @@ static void bench_predictions(void)
     for (l = MS_SIMD_SCALAR; l <= MS_SIMD_AVX2; ++l) {
         for (variant = 0; variant < (l == MS_SIMD_AVX2 ? 2 : 1); ++variant) {
             ms_gpr_fit_options o;
-            user u = user_make(21, M, 0.19);
+            person u = user_make(21, M, 0.19);
             uint64_t gallery = 17;
             ms_gpr *gp;
             prediction p;
@@ -301,7 +301,7 @@ static void bench_taste(void)
     int c, s, i, users[USER_CLASSES + 1] = {0, 0, 0}, k;
     for (i = 0; users[1] < USERS || users[2] < USERS; ++i) {
         uint64_t state = 900 + (uint64_t)i;
-        user u = user_make(300 + (uint64_t)i, M, i % 2 ? 0.19 : 0.10);
+        person u = user_make(300 + (uint64_t)i, M, i % 2 ? 0.19 : 0.10);
         if (users[u.classes] == USERS) continue;
         ++users[u.classes];
         user_gallery(&u, 500, x, y, &state);

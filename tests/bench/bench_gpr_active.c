@@ -45,7 +45,7 @@ static ms_gpr *fit(int n, int m)
 }
 
 /* Mean true score of materials, and the share of the liked classes that 5 or more of them belong to. */
-static worth judge_materials(const user *u, const double *r, int count)
+static worth judge_materials(const person *u, const double *r, int count)
 {
     double found[USER_CLASSES] = {0, 0, 0};
     worth w = {0, 0, 0, 0};
@@ -60,7 +60,7 @@ static worth judge_materials(const user *u, const double *r, int count)
 }
 
 /* What was answered for the first n rows is worth; curve: by every threshold in place of the default's, or NULL. */
-static worth judge(const user *u, int n, worth *curve)
+static worth judge(const person *u, int n, worth *curve)
 {
     static double mean[HELD], r[COUNT * MANY];
     double clock = bench_cpu(), jsd, ms;
@@ -86,7 +86,7 @@ static worth judge(const user *u, int n, worth *curve)
 }
 
 /* The same of a model that knows everything: uniform materials whose true score is 10 tau or more. */
-static void judge_truth(const user *u, uint64_t state, worth *curve)
+static void judge_truth(const person *u, uint64_t state, worth *curve)
 {
     static double r[TAUS][COUNT * MANY];
     int count[TAUS] = {0}, t, k, i;
@@ -103,7 +103,7 @@ static void judge_truth(const user *u, uint64_t state, worth *curve)
 
 /* The next materials of an active gallery as rows n and on: `count`, or with `asks` SHOWN of them where the studio asks
    for picks: 1 then. */
-static int show(const user *u, int n, int count, int asks, int seed)
+static int show(const person *u, int n, int count, int asks, int seed)
 {
     ms_gpr_gallery_options g;
     double clock = bench_cpu();
@@ -120,7 +120,7 @@ static int show(const user *u, int n, int count, int asks, int seed)
 
 /* A click each on at most the best two of those shown that are liked at all, or one on "none of these", which scores
    them 0; a user who answers at random does so here. Returns the clicks. */
-static int click(const user *u, int n, uint64_t *state)
+static int click(const person *u, int n, uint64_t *state)
 {
     double s[SHOWN];
     int best[2] = {-1, -1}, random = test_uniform(state) < u->wrong, i, k;
@@ -146,7 +146,7 @@ static int click(const user *u, int n, uint64_t *state)
 
 /* The thesis's rounds: a first gallery of uniform materials, then twice `more` recommendations are scored and learned
    from as well. */
-static worth rounds(const user *u, int first, int more, int seed, uint64_t *state)
+static worth rounds(const person *u, int first, int more, int seed, uint64_t *state)
 {
     int n = first, k;
     choices = chosen = 0;
@@ -173,7 +173,7 @@ static worth rounds(const user *u, int first, int more, int seed, uint64_t *stat
 /* One user by all ways: uniform 100 and 250; active 60, 80, 100; clicks first, 60, 80, 100 answers; the thesis's rounds
    to 100 and 250; active 100 with clicks where the studio asks for them. curve: of 250 uniform, of 100 with clicks
    first, and of the truth. */
-static void try_user(const user *u, int seed, uint64_t state, worth *w, worth curve[3][TAUS])
+static void try_user(const person *u, int seed, uint64_t state, worth *w, worth curve[3][TAUS])
 {
     uint64_t first, last = 0;
     int way, g, n, answers, k;
@@ -229,7 +229,7 @@ static void time_clicks(FILE *md)
     int run, i, k, g;
     for (run = 0; run < RUNS; ++run) {
         uint64_t state = (uint64_t)run + 5;
-        user u = user_make(state, M, 0.2);
+        person u = user_make(state, M, 0.2);
         double theta[M + 2], given[500], clock;
         ms_gpr_view parts;
         ms_gpr *gp;
@@ -333,7 +333,7 @@ int main(void)
             worth sum[STEPS];
             memset(sum, 0, sizeof sum);
             for (i = 0; i < users; ++i) {
-                user u = user_of_kind(kind, (uint64_t)i + 1, m);
+                person u = user_of_kind(kind, (uint64_t)i + 1, m);
                 worth w[STEPS], c[3][TAUS];
                 try_user(&u, i, (uint64_t)(77 + i + 100 * kind), w, c);
                 for (k = 0; k < 3; ++k)

@@ -28,7 +28,7 @@ enum {
 static FILE *csv, *md;
 
 typedef struct member {
-    user u;
+    person u;
     double x[N * M], y[N];
     ms_gpr *gp;
 } member;
@@ -129,7 +129,7 @@ static void figure_of_galleries(void)
     static plot p;
     int i, k, step, kind;
     for (i = 0; i < USERS; ++i) {
-        const user *u = &members[i].u;
+        const person *u = &members[i].u;
         for (kind = 0; kind < KINDS; ++kind) {
             uint64_t state = 500 + (uint64_t)i;
             double unused[1];
@@ -186,7 +186,7 @@ static void table_of_rounds_of_scores(void)
     double score[3][USERS], precision[3][USERS];
     for (i = 0; i < USERS; ++i) {
         uint64_t state = 900 + (uint64_t)i;
-        const user *u = &members[i].u;
+        const person *u = &members[i].u;
         user_gallery(u, 150, x, y, &state);
         for (round = 0; round < 3; ++round) {
             int n = 150 + 50 * round;
