@@ -1459,8 +1459,9 @@ static double ms_gpr__laplace_factor(ms_gpr__problem *p, double ridge, double no
     for (i = 0; i < padded; ++i) {
         const size_t at = (size_t)i * p->stride;
         const double root = w[at + (size_t)i];
+        const int block = i / MS_GPR__BLOCK * MS_GPR__BLOCK;
         z[i] += p->latent[i];
-        if (i < joined) f->axpy(p->upper + at, -1, w + at, joined);
+        if (i < joined) f->axpy(p->upper + at + block, -1, w + at + block, joined - block);
         else p->upper[at + (size_t)i] += 1 / (root * root);
     }
     return ms_gpr__cholesky(f, p->upper, p->stride, padded, 0) ? determinant : 1e300;
@@ -1714,9 +1715,8 @@ static double ms_gpr__modeled(double y, double floor, double floor_value)
     return floor_value < floor && y <= floor ? floor_value : y;
 }
 
-static double ms_gpr__target(const ms_gpr *gp, int i)
+static double ms_gpr__target(const ms_gpr_view *v, int i)
 {
-    const ms_gpr_view *v = &gp->view;
     return ms_gpr__scored(v->y[i]) ? ms_gpr__modeled(v->y[i], v->floor, v->floor_value) - v->mean : MS_GPR_UNSCORED;
 }
 
@@ -1779,7 +1779,7 @@ static ms_status ms_gpr__condition(ms_gpr *gp, const ms_gpr *before, ms_error *e
     ms_gpr__problem_make(&p, gp->kernels, &gp->view, gp->active, &memory);
     status = ms_gpr__taken(&memory, "a likelihood", error);
     if (status == MS_OK) memcpy(p.points, gp->points, (size_t)gp->active * row);
-    for (i = 0; i < gp->n && status == MS_OK; ++i) p.target[i] = ms_gpr__target(gp, i);
+    for (i = 0; i < gp->n && status == MS_OK; ++i) p.target[i] = ms_gpr__target(&gp->view, i);
     for (; status == MS_OK && gp->view.jitter < 2e-6; gp->view.jitter = fmax(10 * gp->view.jitter, 1e-15)) {
         double noise = ms_gpr__sn2(gp) + gp->view.jitter * sf2;
         memset(p.alpha, 0, row);
@@ -2008,8 +2008,9 @@ static void ms_gpr__chunk(const ms_gpr *gp, const double *scaled, double *column
     for (j = 0; j < MS_GPR__CHUNK; ++j) variance[j] = sf2;
     for (i = 0; i < gp->n; ++i) {
         const double *v = columns + (size_t)i * stride;
-        for (j = 0; j < MS_GPR__CHUNK; ++j) variance[j] = fmax(variance[j] - v[j] * v[j], 0);
+        for (j = 0; j < MS_GPR__CHUNK; ++j) variance[j] -= v[j] * v[j];
     }
+    for (j = 0; j < MS_GPR__CHUNK; ++j) variance[j] = fmax(variance[j], 0);
 }
 
 /* row [stride] = k(training, x), 0 for padding; point [m] = x in length scales. */
@@ -2095,7 +2096,7 @@ MS_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *va
         double diagonal = 0; /* of K'^-1 = Y'Y, which is 1 / variance */
         for (j = i; j < gp->n; ++j) diagonal += pow(inverse[(size_t)j * gp->stride + (size_t)i], 2);
         variance[i] = 1 / diagonal;
-        mean[i] = gp->view.mean + ms_gpr__target(gp, i) - gp->alpha[i] / diagonal;
+        mean[i] = gp->view.mean + ms_gpr__target(&gp->view, i) - gp->alpha[i] / diagonal;
     }
     ms_gpr__release(&memory);
     return status;
@@ -2304,9 +2305,8 @@ static void ms_gpr__fit_rows(ms_gpr__fit *fit)
         const double *x = data->x + (size_t)row * (size_t)data->m;
         for (k = 0; k < fit->m; ++k)
             fit->columns[(size_t)k * p->stride + (size_t)i] = (x[fit->column[k]] - fit->center[k]) / fit->width[k];
-        p->target[i] = MS_GPR_UNSCORED;
-        if (ms_gpr__scored(y[row]))
-            p->target[i] = (ms_gpr__modeled(y[row], data->floor, data->floor_value) - data->mean) / fit->unit;
+        p->target[i] = ms_gpr__target(data, row);
+        if (ms_gpr__scored(y[row])) p->target[i] /= fit->unit;
     }
 }
 
@@ -3343,11 +3343,10 @@ static ms_status ms_gpr__latent_make(const double *x, int z, int m, const ms_gpr
 
 MS_API void ms_gpr_latent_destroy(ms_gpr_latent *plane)
 {
-    ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
-    if (plane) {
-        memory = plane->memory;
-        ms_gpr_destroy(plane->gp);
-    }
+    ms_gpr__memory memory;
+    if (plane == NULL) return;
+    memory = plane->memory;
+    ms_gpr_destroy(plane->gp);
     ms_gpr__release(&memory);
 }
 

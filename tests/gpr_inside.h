@@ -167,7 +167,7 @@ TEST_INSIDE ms_status inside_problem(const ms_gpr *gp, ms_gpr__problem *p, ms_gp
     status = ms_gpr__taken(memory, "a likelihood", error);
     if (status != MS_OK) return status;
     memcpy(p->points, gp->points, (size_t)gp->active * gp->stride * sizeof *p->points);
-    for (i = 0; i < gp->n; ++i) p->target[i] = ms_gpr__target(gp, i);
+    for (i = 0; i < gp->n; ++i) p->target[i] = ms_gpr__target(&gp->view, i);
     return MS_OK;
 }
 
