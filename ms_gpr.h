@@ -663,13 +663,9 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 enum {
     MS_GPR__BLOCK = 8,
     MS_GPR__SLICE = 96, /* of the depth of a product: it stays in the first cache */
-    MS_GPR__CHUNK = 64  /* candidates that are predicted together */
-};
-
-/* Parts of a product that are known to be zero or not wanted. */
-enum {
-    MS_GPR__UPPER = 1, /* only c_ij with i <= j is wanted */
-    MS_GPR__LOWER = 2  /* b_kj = 0 for k < j */
+    MS_GPR__CHUNK = 64, /* candidates that are predicted together */
+    MS_GPR__UPPER = 1,  /* parts of a product: only c_ij with i <= j is wanted */
+    MS_GPR__LOWER = 2   /* b_kj = 0 for k < j */
 };
 
 /* The inner loops, one table a level. Matrices are row-major with a stride; a is [depth][rows], b is [depth][columns],
@@ -709,7 +705,6 @@ static double ms_gpr__pow2(double whole)
 #define MS_GPR__JOIN(a, b) MS_GPR__JOIN_(a, b)
 #define MS_GPR__KERNEL(name) MS_GPR__JOIN(ms_gpr__##name##_level, MS_GPR__PASS)
 #define MS_GPR__V MS_GPR__KERNEL(v) /* a vector */
-#define MS_GPR__BYTES (MS_GPR__PASS == 3 ? 32 : 16)
 #define MS_GPR__LANES ((int)(sizeof(MS_GPR__V) / sizeof(double)))
 #define MS_GPR__WIDE (2 * MS_GPR__LANES) /* divides MS_GPR__BLOCK */
 #define MS_GPR__LOAD(p) ((MS_GPR__V) * (const MS_GPR__KERNEL(loose) *)(p))
@@ -737,9 +732,8 @@ static double ms_gpr__pow2(double whole)
 #ifdef MS_GPR__PASS
 /* --- kernels: one level an inclusion, MS_GPR__PASS is the level (ms_simd) --- */
 
-/* Vectors are the compiler's own (GCC, Clang), with the language's operators. MADD a b + c is fused where the level
-   fuses. ROUND goes to the nearest whole number. POW2 is of a whole number in the normal range. KEEP is
-   v where x > limit, else 0. */
+/* Vectors are the compiler's own, with the language's operators. MADD a b + c is fused where the level fuses. ROUND
+   goes to the nearest whole number. POW2 is of one in the normal range. KEEP is v where x > limit, else 0. */
 #if MS_GPR__PASS == 3
 #define MS_GPR__STATIC static __attribute__((target("avx2,fma")))
 #define MS_GPR__MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
@@ -757,9 +751,9 @@ typedef double MS_GPR__KERNEL(loose);
 #define MS_GPR__POW2(a) ms_gpr__pow2(a)
 #define MS_GPR__KEEP(x, limit, v) ((x) > (limit) ? (v) : 0)
 #else
-typedef double MS_GPR__V __attribute__((vector_size(MS_GPR__BYTES)));
-typedef double MS_GPR__KERNEL(loose) __attribute__((vector_size(MS_GPR__BYTES), aligned(sizeof(double)), may_alias));
-typedef int64_t MS_GPR__KERNEL(bits) __attribute__((vector_size(MS_GPR__BYTES)));
+typedef double MS_GPR__V __attribute__((vector_size(MS_GPR__PASS == 3 ? 32 : 16)));
+typedef MS_GPR__V MS_GPR__KERNEL(loose) __attribute__((aligned(sizeof(double)), may_alias));
+typedef int64_t MS_GPR__KERNEL(bits) __attribute__((vector_size(sizeof(MS_GPR__V))));
 #define MS_GPR__ROUND(a) ((a) + MS_GPR__SET(6755399441055744.0) - MS_GPR__SET(6755399441055744.0)) /* 3 * 2^51 */
 #define MS_GPR__POW2(a) ((MS_GPR__V)((MS_GPR__KERNEL(bits))((a) + MS_GPR__SET(6755399441055744.0 + 1023)) << 52))
 #define MS_GPR__KEEP(x, limit, v) ((MS_GPR__V)(((x) > (limit)) & (MS_GPR__KERNEL(bits))(v)))
@@ -930,6 +924,15 @@ static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
 
 #if defined(MS_GPR__KERNELS_END) && !defined(MS_GPR__PASS)
 #undef MS_GPR__KERNELS_END
+#undef MS_GPR__JOIN_
+#undef MS_GPR__JOIN
+#undef MS_GPR__KERNEL
+#undef MS_GPR__V
+#undef MS_GPR__LANES
+#undef MS_GPR__WIDE
+#undef MS_GPR__LOAD
+#undef MS_GPR__STORE
+#undef MS_GPR__SET
 
 static const ms_gpr__kernels *ms_gpr__kernels_of(ms_simd cap)
 {
@@ -1002,8 +1005,7 @@ static int ms_gpr__cholesky(const ms_gpr__kernels *f, double *u, size_t stride, 
     return 1;
 }
 
-/* y = u'^-1, the lower triangle of y; its upper triangle is set to 0 inside the blocks on the diagonal and must be 0
-   elsewhere. */
+/* y = u'^-1, the lower triangle of y; of the upper one the blocks on the diagonal are set to 0, the rest must be 0. */
 static void ms_gpr__invert(const ms_gpr__kernels *f, const double *u, size_t stride, int n, double *y)
 {
     int h = ms_gpr__half(n), i, j;
@@ -1272,8 +1274,7 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
     return best;
 }
 
-/* From the best of the starts q [starts][count] to a minimum, in the first row: every start runs for `trial`
-   evaluations. */
+/* From the best of the starts q [starts][count], after `trial` evaluations each, to a minimum, in the first row. */
 static ms_gpr__minimum ms_gpr__minimize_starts(ms_gpr__search *s, double *q, int starts, int trial, double *work)
 {
     const int budget = s->evaluations;
@@ -2909,8 +2910,7 @@ static ms_status ms_gpr__sampler_variants(ms_gpr__sampler *h, ms_error *error)
     return status;
 }
 
-/* The arrays, and what chains move along: every column with a width; one that is left out only where a snap may tie it
-   to others. */
+/* The arrays, and what chains move along: columns with a width; those left out where a snap may tie them to others. */
 static ms_status ms_gpr__sampler_make(ms_gpr__sampler *h, ms_gpr__memory *memory, ms_error *error)
 {
     const ms_gpr *gp = h->source.gp;

@@ -159,7 +159,7 @@ TEST_INSIDE int inside_fit_objective(const double *x, const double *y, int n, in
 }
 
 /* The problem of this model's data and theta, in memory that is to be released whatever is returned. */
-TEST_INSIDE ms_status inside_problem(const ms_gpr *gp, ms_gpr__problem *p, ms_gpr__memory *memory, ms_error *error)
+static ms_status inside_problem(const ms_gpr *gp, ms_gpr__problem *p, ms_gpr__memory *memory, ms_error *error)
 {
     ms_status status;
     int i;
