@@ -713,13 +713,19 @@ static void test_offsets(void)
     }
 }
 
+static void count_candidates(void *user, double *x)
+{
+    (void)x;
+    ++*(int *)user;
+}
+
 /* Never nothing: one liked material of twenty, none at all, a model that is flat, no score: 300 different materials of
    the box, and the report says that they are variants. */
 static void test_never_nothing(void)
 {
     enum { M = 19, COUNT = 300 };
     static double x[COUNT * M], data[100 * M], y[100];
-    int n, liked, i, j, c;
+    int n, liked, candidates[2] = {0, 0}, i, j, c;
     for (n = 0; n <= 100; n += 20)
         for (liked = 0; liked < 3; ++liked) {
             uint64_t state = test_seed + (uint64_t)(n + liked);
@@ -741,6 +747,14 @@ static void test_never_nothing(void)
                 if (n && liked && report.search == MS_GPR_SEARCH_VARIANTS)
                     CHECK(c >= 6); /* 0.3 are drawn anew: 13 of 19 */
             }
+            o.search = MS_GPR_SEARCH_VARIANTS;
+            o.space.snap = count_candidates;
+            for (i = 0; i < 2; ++i) {
+                candidates[i] = 0;
+                o.space.user = &candidates[i];
+                CHECK_INT(ms_gpr_recommend(gp, &o, 64 + 64 * i, x, NULL, NULL, NULL, NULL), MS_OK);
+            }
+            CHECK_INT(candidates[1] - candidates[0], 64 * 10); /* the best of ten each */
             ms_gpr_destroy(gp);
         }
 }
