@@ -581,18 +581,6 @@ static runs run_recommend(const void *options)
     return ended(status, &error, x, sizeof x);
 }
 
-static runs run_gallery(const void *options)
-{
-    ms_gpr *gp = user_model();
-    double x[6 * USER_M];
-    ms_error error;
-    ms_status status;
-    memset(x, 0, sizeof x);
-    status = ms_gpr_gallery(gp, (const ms_gpr_gallery_options *)options, 6, x, &error);
-    ms_gpr_destroy(gp);
-    return ended(status, &error, x, sizeof x);
-}
-
 /* --- ms_mcml.h --- */
 
 static runs run_simulate(const void *options)
@@ -751,7 +739,6 @@ typedef union options_of {
     ms_pme_match_options match;
     ms_gpr_fit_options fit;
     ms_gpr_recommend_options recommend;
-    ms_gpr_gallery_options gallery;
     ms_gpr_latent_options plane;
     ms_mcml_options mcml;
     ms_mcml_profile_options profile;
