@@ -433,7 +433,8 @@ static void test_fit_gradient(void)
 
 /* What separates the objective from the likelihood are the documented priors: log-normal, of lengths in widths around
    2.1 sqrt(m) by 1.5, of sf around a standard deviation of the scores by 1, of sn around half of one by 0.25
-   (more than 0.25 above, the penalty goes on straight). Whatever the scale of the scores, and with a floor. */
+   (more than 0.25 above, the penalty goes on straight). Whatever the scale of the scores, with a floor, and where they
+   contradict each other. */
 static void test_fit_prior(void)
 {
     enum { N = 40, M = 2 };
@@ -443,19 +444,21 @@ static void test_fit_prior(void)
     ms_gpr *gp;
     int scale, i, k;
     smooth_data(x, y, N, M, 0.3, &state);
-    for (k = 0; k < M; ++k) {
-        for (i = 0, mean = 0; i < N; ++i) mean += x[i * M + k] / (double)N;
-        for (i = 0, sum = 0; i < N; ++i) sum += (x[i * M + k] - mean) * (x[i * M + k] - mean) / (double)N;
-        width[k] = sqrt(12 * sum);
-    }
-    for (scale = 0; scale < 4; ++scale) {
+    for (scale = 0; scale < 6; ++scale) {
         double floor_value, z_mean = 0;
         static double given[N];
+        for (i = 1; i < N && scale >= 4; i += 2) memcpy(x + i * M, x + (i - 1) * M, M * sizeof *x);
+        for (k = 0; k < M; ++k) {
+            for (i = 0, mean = 0; i < N; ++i) mean += x[i * M + k] / (double)N;
+            for (i = 0, sum = 0; i < N; ++i) sum += (x[i * M + k] - mean) * (x[i * M + k] - mean) / (double)N;
+            width[k] = sqrt(12 * sum);
+        }
         for (i = 0; i < N; ++i) given[i] = scale < 2 ? y[i] : fmax(y[i] - 1, 0); /* the latter: many at the floor */
+        for (i = 0; i < N && scale >= 4; ++i) given[i] = i % 2 + 0.01 * test_uniform(&state);
         for (i = 0; i < N; ++i) given[i] *= scale % 2 ? 100 : 1;
         CHECK_INT(ms_gpr_fit(x, given, N, M, NULL, &gp, &r, NULL), MS_OK);
         floor_value = ms_gpr_view_of(gp).floor_value;
-        CHECK((floor_value < ms_gpr_view_of(gp).floor) == (scale >= 2));
+        CHECK((floor_value < ms_gpr_view_of(gp).floor) == (scale == 2 || scale == 3));
         for (i = 0; i < N; ++i) z_mean += (given[i] > ms_gpr_view_of(gp).floor ? given[i] : floor_value) / (double)N;
         for (i = 0, sum = 0; i < N; ++i) {
             double d = (given[i] > ms_gpr_view_of(gp).floor ? given[i] : floor_value) - z_mean;
@@ -472,6 +475,7 @@ static void test_fit_prior(void)
         wanted -= 0.5 * z * z;
         z = (theta[M + 1] - log(0.5 * unit)) / 0.25;
         wanted -= z > 1 ? z - 0.5 : 0.5 * z * z;
+        if (scale >= 4) CHECK(z > 1);
         CHECK_NEAR(r.objective - r.likelihood, wanted,
                    1e-9 * (1 + fabs(r.likelihood))); /* the difference of two sums */
         ms_gpr_destroy(gp);

@@ -1148,9 +1148,12 @@ static void test_recommend_memory(void)
     });
 }
 
+static int filled; /* blocks */
+
 static void *alloc_filled(void *fill, size_t size)
 {
     void *p = malloc(size);
+    ++filled;
     if (p) memset(p, *(int *)fill, size);
     return p;
 }
@@ -1184,19 +1187,27 @@ static void test_memory_content(void)
         for (kind = 0; kind < 3; ++kind) {
             ms_gpr_recommend_options o = recommend_options();
             o.search = (ms_gpr_search)kind;
+            filled = 0;
             CHECK_INT(ms_gpr_recommend(t.gp, &o, 40, out + 200 * kind, NULL, NULL, NULL, NULL), MS_OK);
+            CHECK(filled > 10);
         }
         for (kind = 0; kind < 2; ++kind) {
             ms_gpr_gallery_options g;
             memset(&g, 0, sizeof g);
             g.seed = (uint64_t)kind;
+            filled = 0;
             CHECK_INT(ms_gpr_gallery(t.gp, &g, 20, out + 600 + 100 * kind, NULL), MS_OK);
+            CHECK(filled > 10);
         }
         CHECK_INT(ms_gpr_latent_fit(t.x, 19, 5, &latent_options, &plane, NULL, NULL), MS_OK);
         {
             const double *points = ms_gpr_latent_view_of(plane).points;
+            filled = 0;
             CHECK_INT(ms_gpr_latent_map(plane, points, 19, out + 1300, out + 1500, NULL), MS_OK);
+            CHECK(filled > 1);
+            filled = 0;
             CHECK_INT(ms_gpr_preference(t.gp, t.x, t.x + 20, 40, out + 1550, NULL), MS_OK);
+            CHECK(filled > 1);
             CHECK_INT(inside_latent_likelihood(plane, out + 1600, out + 1601, out + 1610, NULL), MS_OK);
         }
         ms_gpr_latent_destroy(plane);
