@@ -24,39 +24,17 @@ static FILE *csv, *md;
 
 /* --- likelihood and gradient --- */
 
-/* Memory that is kept from call to call, as the peer's is: pages that are new cost 50 ms at n = 2000. The model asks
-   for two blocks and keeps them; what a call asks for is the third. */
-static void *block[3];
-static size_t room[3];
-static int lent[3];
-
-static void *keep_alloc(void *unused, size_t size)
-{
-    int i = 0;
-    (void)unused;
-    while (i < 2 && lent[i]) ++i;
-    if (lent[i]) exit(1);
-    if (room[i] < size) {
-        free(block[i]);
-        block[i] = malloc(size);
-        room[i] = size;
-    }
-    lent[i] = block[i] != NULL;
-    return block[i];
-}
-
-static void keep_release(void *unused, void *pointer, size_t size)
-{
-    int i;
-    (void)unused, (void)size;
-    for (i = 0; i < 3; ++i)
-        if (block[i] == pointer) lent[i] = 0;
-}
+/* As a fit asks for it: again and again in the same memory, which the peer keeps as well. */
+typedef struct likelihood {
+    ms_gpr__problem problem;
+    double sf2, sn2;
+} likelihood;
 
 static void run_likelihood(void *context)
 {
     static double value, gradient[64];
-    if (inside_likelihood((const ms_gpr *)context, &value, gradient, NULL) != MS_OK) exit(1);
+    likelihood *l = (likelihood *)context;
+    if (!ms_gpr__evaluate(&l->problem, l->sf2, l->sn2, &value, gradient)) exit(1);
 }
 
 /* n materials of a synthetic user, standardised scores; theta of a fit that is on its way. */
@@ -75,8 +53,6 @@ static ms_gpr *model(int n, int m, ms_simd level, double *x, double *y)
     for (i = 0; i < m + 2; ++i) theta[i] = i < m ? 1 : i == m ? 0 : -2;
     memset(&options, 0, sizeof options);
     options.simd = level;
-    options.allocator.alloc = keep_alloc;
-    options.allocator.release = keep_release;
     if (inside_create(x, y, n, m, theta, 0, &options, &gp, NULL) != MS_OK) exit(1);
     return gp;
 }
@@ -145,11 +121,18 @@ static void bench_likelihood(void)
         fprintf(md, "| n = %d, m = %d |", sizes[s][0], sizes[s][1]);
         for (l = MS_SIMD_SCALAR; l <= MS_SIMD_AVX2; ++l) {
             ms_gpr *gp = model(sizes[s][0], sizes[s][1], (ms_simd)l, x, y);
-            bench_time t = bench_run(run_likelihood, gp, sizes[s][0] < 2000 ? 15 : l == MS_SIMD_AVX2 ? 5 : 1);
+            ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
+            likelihood of;
+            bench_time t;
+            if (inside_problem(gp, &of.problem, &memory, NULL) != MS_OK) exit(1);
+            of.sf2 = ms_gpr__sf2(gp);
+            of.sn2 = ms_gpr__sn2(gp) + ms_gpr_view_of(gp).jitter * of.sf2;
+            t = bench_run(run_likelihood, &of, sizes[s][0] < 2000 ? 15 : l == MS_SIMD_AVX2 ? 5 : 1);
             if ((int)ms_gpr_view_of(gp).level != l) fprintf(md, " - |");
             else fprintf(md, " %.2f ms |", 1e3 * t.median);
             fprintf(csv, "likelihood,%d,%d,%s,%.6g,%.2g\n", sizes[s][0], sizes[s][1], ms_simd_string((ms_simd)l),
                     t.median, t.spread);
+            ms_gpr__release(&memory);
             ms_gpr_destroy(gp);
         }
         fprintf(md, " %.2f ms |\n", 1e3 * peer_factor(sizes[s][0]));
