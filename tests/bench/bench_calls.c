@@ -185,12 +185,13 @@ static void taste(void)
         start = bench_cpu();
         check(ms_gpr_recommend(gp, NULL, COUNT, found, NULL, NULL, NULL, &error), &error);
         recommend_time[i] = bench_cpu() - start;
-        for (k = 0; k < COUNT; ++k) score += user_true(&u, found + k * M) / COUNT;
+        for (k = 0; k < COUNT; ++k) score += user_true(&u, found + k * M) / (int)COUNT;
         ms_gpr_destroy(gp);
     }
-    snprintf(text, sizeof text, "%.1f of 10 from the true score, RMS", sqrt(off / USERS));
+    snprintf(text, sizeof text, "%.1f of 10 from the true score, RMS", sqrt(off / (int)USERS));
     row("ms_gpr_fit", "250 scores of materials with 19 parameters", bench_median(fit_time, USERS), text);
-    snprintf(text, sizeof text, "true score %.1f of 10 (any materials: %.1f)", score / USERS, uniform / USERS);
+    snprintf(text, sizeof text, "true score %.1f of 10 (any materials: %.1f)", score / (int)USERS,
+             uniform / (int)USERS);
     row("ms_gpr_recommend", "300 new materials", bench_median(recommend_time, USERS), text);
 }
 

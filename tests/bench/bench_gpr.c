@@ -25,15 +25,15 @@ static FILE *csv, *md;
 /* --- likelihood and gradient --- */
 
 /* As a fit asks for it: again and again in the same memory, which the peer keeps as well. */
-typedef struct likelihood {
+typedef struct evaluated {
     ms_gpr__problem problem;
     double sf2, sn2;
-} likelihood;
+} evaluated;
 
 static void run_likelihood(void *context)
 {
     static double value, gradient[64];
-    likelihood *l = (likelihood *)context;
+    evaluated *l = (evaluated *)context;
     if (!ms_gpr__evaluate(&l->problem, l->sf2, l->sn2, &value, gradient)) exit(1);
 }
 
@@ -122,7 +122,7 @@ static void bench_likelihood(void)
         for (l = MS_SIMD_SCALAR; l <= MS_SIMD_AVX2; ++l) {
             ms_gpr *gp = model(sizes[s][0], sizes[s][1], (ms_simd)l, x, y);
             ms_gpr__memory memory = {{NULL, NULL, NULL}, NULL, 0};
-            likelihood of;
+            evaluated of;
             bench_time t;
             if (inside_problem(gp, &of.problem, &memory, NULL) != MS_OK) exit(1);
             of.sf2 = ms_gpr__sf2(gp);
