@@ -550,8 +550,13 @@ static void random_colors(void)
     double worst = 0, relative = 0;
     int i;
     for (i = 0; i < (test_full ? 3000 : 300); ++i) {
-        const double u = test_uniform(&state), eta = 0.1 * pow(100, test_uniform(&state));
-        const double color = i % 3 == 0 ? pow(10, -20 * u) : i % 3 == 1 ? 1 - pow(10, -12 * u) : u;
+        const double u = test_uniform(&state), drawn = 0.1 * pow(100, test_uniform(&state));
+        const double eta = i == 0 ? 6.3747119181415863 : i == 1 ? 9.5934239192326789 : drawn; /* were off by 1.5e-7, */
+        const double color = i == 0 ? 0.99998496310403584
+            : i == 1                ? 6.1547030062375723e-08 /* and by 1.1e-4 of itself */
+            : i % 3 == 0            ? pow(10, -20 * u)
+            : i % 3 == 1            ? 1 - pow(10, -12 * u)
+                                    : u;
         const double specular = (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1));
         double back;
         ms_mcml_medium m;

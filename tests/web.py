@@ -527,7 +527,10 @@ def kernels(b):
     if not b.value("(g => !!g && !!g.getExtension('EXT_color_buffer_float'))(document.createElement('canvas').getContext('webgl2'))"):
         print("no WebGL 2 with float targets in this Chromium: the kernel designer was not tried")
         return
+    picture = b.value("getComputedStyle(document.querySelector('#poster')).backgroundImage.slice(0, 27)")
+    check("a picture stands over the view while the head is made", picture == 'url("data:image/jpeg;base64', picture)
     b.until("designer.idle()", WAIT)
+    check("and leaves with its word", b.value("document.querySelector('#poster').hidden && document.querySelector('#says').hidden"))
     check("thirteen materials", b.value("document.querySelectorAll('[data-material]').length") == 13)
 
     def agree(name):
