@@ -1,4 +1,4 @@
-// sources 3985561448
+// sources 2551818029
 // Separable subsurface scattering for three.js, by ms_sss.h. `make web` writes this file: examples/web/sss_three.part.js and
 // sss_core.part.js, examples/engine/shader/ms_sss.glsl (SHADER), and the header in WebAssembly (BINARY).
 //
@@ -12,18 +12,19 @@
 //   sss.enabled = false;                            the materials are drawn as three.js alone draws them
 //   every frame: sss.render(scene, camera); renderer.render(scene, camera);         or a composer's render
 //
-// sss.render draws the diffuse light of these materials without their color, and its depth; two passes scatter it. The
-// materials then read the scattered light in place of their own. Specular light, maps, shadows, tone mapping and
+// sss.render draws the diffuse light of these materials without their color, and its depth; two passes scatter it, at half
+// resolution where the radius is above 16 pixels: less work, and fewer streaks beside thin strips of light. The materials then read the scattered light in place of their own. Specular light, maps, shadows, tone mapping and
 // post-processing are three's. Call it again after a resize, for every eye of a headset and every view that is rendered.
 import * as THREE from 'three';
 
 // What stands before SHADER in a pass: where it is in the light's texture what the pass reads.
-const head = (step, taps, materials) => `precision highp float;
+const head = (step, taps, materials, half) => `precision highp float;
 precision highp int;
 precision highp sampler2D;
 #define MS_SSS_STEP ${step}
 #define MS_SSS_TAPS ${taps}
 #define MS_SSS_PROFILES ${materials}
+#define MS_SSS_HALF ${half}
 uniform sampler2D light;
 vec3 ms_sss_fetch_color(ivec2 p) { return texelFetch(light, p, 0).rgb; }
 float ms_sss_fetch_depth(ivec2 p) { return texelFetch(light, p, 0).a; }
@@ -82,20 +83,21 @@ void main() {`],
 
 export class Subsurface {
   // materials: [{reflectance, path}]; options: mmPerUnit (1000: meters), radius (pixels that the taps are made for), taps (3 to 63; 0: as few
-  // as show no bands at that radius, by the table of ms_sss_shader_constants)
-  static async create(renderer, materials, { mmPerUnit = 1000, radius = 40, taps = 0 } = {}) {
-    return new Subsurface(renderer, await Kernels.load('Subsurface'), materials, mmPerUnit, taps || Kernels.tapsOf(radius), radius);
+  // as show no bands at that radius, by the table of ms_sss_shader_constants), half (resolution, true or false)
+  static async create(renderer, materials, { mmPerUnit = 1000, radius = 40, taps = 0, half = radius > 16 } = {}) {
+    return new Subsurface(renderer, await Kernels.load('Subsurface'), materials, mmPerUnit, taps || Kernels.tapsOf(radius), radius, half);
   }
 
-  constructor(renderer, kernels, materials, mmPerUnit, taps, radius) {
+  constructor(renderer, kernels, materials, mmPerUnit, taps, radius, half) {
     if (!materials.length || !renderer.getContext().getExtension('EXT_color_buffer_float')) throw new Error('Subsurface: wants a material, and WebGL 2 with float targets');
-    Object.assign(this, { renderer, kernels, mmPerUnit, taps, radius, given: materials, lamp: null, count: materials.length });
+    Object.assign(this, { renderer, kernels, mmPerUnit, taps, radius, half, given: materials, lamp: null, count: materials.length });
     this.materials = materials.map((material, i) => kernels.make(i, material, taps, radius));
     const target = () => new THREE.WebGLRenderTarget(1, 1, { type: THREE.FloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter, depthBuffer: false });
     this.light = target();
     this.light.depthBuffer = true;
     this.between = target();
     this.scattered = target();
+    [this.small, this.smallBetween, this.smallScattered] = half ? [target(), target(), target()] : [];
     this.lampMap = target();
     this.lampMap.depthBuffer = true;
     this.uniforms = {
@@ -103,15 +105,20 @@ export class Subsurface {
       sss_lamp_matrix: { value: new THREE.Matrix4() }, sss_lamp_range: { value: new THREE.Vector4() }, sss_lamp_direction: { value: new THREE.Vector3() },
       sss_lamp_light: { value: new THREE.Vector3() }, sss_lamp_normal: { value: new THREE.Matrix3() } };
     this.constants = { value: new Float32Array(4) };
-    this.passes = [0, 1].map(step => {
-      const uniforms = { ms_sss: this.constants, light: { value: this.light.texture }, ms_sss_input: { value: this.between.texture } };
-      return new THREE.RawShaderMaterial({
+    const { light, between, scattered, small, smallBetween, smallScattered } = this, read = target => ({ value: target && target.texture });
+    const steps = half // what each writes, and reads as ms_sss_input
+      ? [[2, small], [0, smallBetween, small], [1, smallScattered, smallBetween], [3, scattered]]
+      : [[0, between], [1, scattered, between]];
+    this.passes = steps.map(([step, to, input]) => {
+      const uniforms = { ms_sss: this.constants, light: read(light), ms_sss_input: read(input), ms_sss_half: read(small), ms_sss_sum: read(smallScattered) };
+      const material = new THREE.RawShaderMaterial({
         glslVersion: THREE.GLSL3, uniforms, depthTest: false, depthWrite: false, blending: THREE.NoBlending,
         vertexShader: 'in vec3 position; void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }',
-        fragmentShader: head(step, taps, this.count) + SHADER });
+        fragmentShader: head(step, taps, this.count, Number(half)) + SHADER });
+      return { material, to };
     });
     const triangle = new THREE.BufferGeometry().setAttribute('position', new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3));
-    this.triangle = new THREE.Mesh(triangle, this.passes[0]);
+    this.triangle = new THREE.Mesh(triangle, this.passes[0].material);
     this.triangle.frustumCulled = false;
     this.black = new THREE.MeshBasicMaterial({ color: 0, opacity: 0, blending: THREE.NoBlending, side: THREE.DoubleSide, fog: false }); // alpha 0: masked
     this.unseen = new THREE.MeshBasicMaterial({ colorWrite: false, depthWrite: false });
@@ -195,6 +202,7 @@ export class Subsurface {
     const { renderer, uniforms } = this, { x, y } = renderer.getDrawingBufferSize(new THREE.Vector2());
     const target = renderer.getRenderTarget(), color = renderer.getClearColor(new THREE.Color()), alpha = renderer.getClearAlpha();
     for (const t of [this.light, this.between, this.scattered]) t.setSize(x, y);
+    if (this.half) for (const t of [this.small, this.smallBetween, this.smallScattered]) t.setSize(Math.ceil(x / 2), Math.ceil(y / 2));
     if (camera.parent === null) camera.updateMatrixWorld();
     const { elements: m } = camera.projectionMatrix, fov = 360 / Math.PI * Math.atan(1 / m[5]);
     this.constants.value = this.kernels.constants(this.taps, this.count, x, y, fov, this.mmPerUnit, -m[8] * x / 2, -m[9] * y / 2);
@@ -204,11 +212,11 @@ export class Subsurface {
       uniforms.sss_mode.value = 1;
       uniforms.sss_light.value = this.between.texture; // a target must not be read
       this.draw(scene, camera, this.light, null, this.black);
-      this.passes.forEach((pass, i) => {
-        this.triangle.material = pass;
-        renderer.setRenderTarget(i ? this.scattered : this.between);
+      for (const { material, to } of this.passes) {
+        this.triangle.material = material;
+        renderer.setRenderTarget(to);
         renderer.render(this.triangle, camera);
-      });
+      }
     } finally {
       uniforms.sss_mode.value = 0;
       uniforms.sss_light.value = this.light.texture;
@@ -218,8 +226,8 @@ export class Subsurface {
   }
 
   dispose() {
-    for (const t of [this.light, this.between, this.scattered, this.lampMap]) t.dispose();
-    for (const m of [...this.passes, ...this.lampMaterials, this.black, this.unseen]) m.dispose();
+    for (const t of [this.light, this.between, this.scattered, this.small, this.smallBetween, this.smallScattered, this.lampMap]) t && t.dispose();
+    for (const m of [...this.passes.map(pass => pass.material), ...this.lampMaterials, this.black, this.unseen]) m.dispose();
     this.triangle.geometry.dispose();
   }
 }
@@ -676,7 +684,7 @@ float4 filter_pixel(int2 pixel) {
         int2 q = int2((p.x + 1) / 2 - 1 + i % 2, (p.y + 1) / 2 - 1 + i / 2);
         if (!inside(q * 2)) { continue; }
         float4 there = fetch_half(q);
-        float f = nearness(there, own, at) * pick(0.2, 0.8, q.x == p.x / 2) * pick(0.2, 0.8, q.y == p.y / 2);
+        float f = nearness(there, own, at) * pick(0.25, 0.75, q.x == p.x / 2) * pick(0.25, 0.75, q.y == p.y / 2);
         if (!(f > 0.0)) { continue; }
         float3 after = fetch_sum(q).rgb;
         float3 least = min(min(there.rgb, after), zero3);

@@ -1,22 +1,25 @@
 /* Pictures of ms_sss.h and its peers against random walks through a bust, a knot and a thin bowl, of five materials,
    lit from three sides: tables in build/bench/sss_truth.md, everything in sss_truth.csv, time against error in
    sss_truth.svg, some pictures. The walks take a quarter of an hour on one core and are kept in build/truth.
-   peer libraries: -lembree3 -lembree4 */
+   peer libraries: -lembree3 -lembree4 -lEGL */
 #include "bench.h"
 #if defined(HAVE_EMBREE3) || defined(HAVE_EMBREE4)
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "plot.h"
 #include "render/truth.h"
+#ifdef HAVE_EGL
+#include "sss_passes.h"
+#endif
 
-enum { OBJECTS = 3, METHODS = 20, SHOWN = 10 };
+enum { OBJECTS = 3, METHODS = 22, SHOWN = 10 };
 static const char *const object_name[OBJECTS] = {"bust", "knot", "bowl"};
 static const char *const substance_name[TRUTH_SUBSTANCES] = {"skin1", "marble", "cream", "ketchup", "skin2"};
 static const char *const lamp_name[TRUTH_LAMPS] = {"front", "side", "behind"};
 static const int walks[TRUTH_SUBSTANCES] = {256, 96, 32, 256,
                                             128}; /* noise under 1% of the error after halves are split */
 
-typedef enum method_kind { UNFILTERED, SEPARABLE, PYRAMID, DISC, FOLLOWING, GATHER, MESH } method_kind;
+typedef enum method_kind { UNFILTERED, SEPARABLE, PYRAMID, DISC, FOLLOWING, GATHER, MESH, HALVED } method_kind;
 
 static const struct {
     const char *name;
@@ -34,6 +37,8 @@ static const struct {
                       {"the same and a shadow map", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 7, 1, 0, 0, "36"},
                       {"separable, 17 taps", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 17, 0, 0, 0, "75"},
                       {"separable, 33 taps", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 33, 0, 0, 0, "139"},
+                      {"7 taps at half resolution", HALVED, MS_SSS_IMAGE_OPTIMAL, 7, 0, 0, 0, "19"},
+                      {"17 taps at half resolution", HALVED, MS_SSS_IMAGE_OPTIMAL, 17, 0, 0, 0, "29"},
                       {"pyramid, flat", PYRAMID, MS_SSS_SLICE, 0, 0, 0, 1, "68"},
                       {"pyramid", PYRAMID, MS_SSS_SLICE, 0, 0, 0, 0, "68 or more"},
                       {"pyramid and a shadow map", PYRAMID, MS_SSS_SLICE, 0, 1, 0, 0, "69 or more"},
@@ -61,6 +66,32 @@ static int is_shown(int object, int substance, int lamp)
     return 0;
 }
 
+/* By the shader, for the CPU has no half resolution; times reflectance. */
+static ms_status at_half(const truth *t, const ms_sss_kernel *kernel, image *out)
+{
+#ifdef HAVE_EGL
+    const int count = t->width * t->height;
+    ms_sss_frame frame;
+    ms_sss_filter_options options = truth_frame(t, &frame, out);
+    float *light = (float *)calloc((size_t)count, 8 * sizeof *light);
+    int i, c, good = light != NULL;
+    for (i = 0; i < count && good; ++i)
+        for (c = 0; c < 3; ++c) light[4 * i + c] = t->lit->irradiance.pixels[3 * i + c];
+    good = good &&
+        sss_passes(light, t->layers.depth.pixels, t->width, t->height, kernel, &options, 1, light + 4 * count);
+    for (i = 0; i < count && good; ++i)
+        for (c = 0; c < 3; ++c) out->pixels[3 * i + c] = light[4 * count + 4 * i + c];
+    free(light);
+    truth_reflect(t, out);
+    return good ? MS_OK : MS_UNSUPPORTED;
+#else
+    (void)t, (void)kernel, (void)out;
+    return MS_UNSUPPORTED;
+#endif
+}
+
+static int has_half; /* OpenGL 3.3 */
+
 static ms_status picture_of(const truth *t, int m, const ms_sss_kernel *kernel, const ms_sss_pyramid *pyramid,
                             image *out)
 {
@@ -74,6 +105,7 @@ static ms_status picture_of(const truth *t, int m, const ms_sss_kernel *kernel, 
     case DISC: truth_disc(t, methods[m].taps, 8, out); break;
     case FOLLOWING: truth_following(t, kernel, 1.5, 1.5, out); break; /* the best of 5 x 6 on bust and marble */
     case GATHER: status = truth_gather(t, methods[m].back, methods[m].flat, out); break;
+    case HALVED: status = at_half(t, kernel, out); break;
     case MESH: truth_mesh(t, !(methods[m].flat > 0), out); break;
     }
     if (methods[m].through) truth_through(t, kernel, out);
@@ -103,7 +135,7 @@ static int measure(int object, int substance, FILE *csv)
         ms_sss_pyramid_make(&pyramid, t.profile, NULL) != MS_OK)
         return 0;
     for (m = 0; m < METHODS; ++m) {
-        const int sampled = methods[m].kind == SEPARABLE || methods[m].kind == FOLLOWING;
+        const int sampled = methods[m].kind == SEPARABLE || methods[m].kind == FOLLOWING || methods[m].kind == HALVED;
         ms_sss_kernel_options o = ms_sss_kernel_defaults();
         o.model = sampled ? methods[m].model : MS_SSS_IMAGE_OPTIMAL;
         o.tap_count = sampled ? methods[m].taps : 7;
@@ -119,6 +151,7 @@ static int measure(int object, int substance, FILE *csv)
             double start;
             int round;
             if (methods[m].kind == MESH && !is_shown(object, substance, lamp)) continue;
+            if (methods[m].kind == HALVED && !has_half) continue;
             for (round = 0; round <
                  (methods[m].kind < DISC && object == SCENE_BUST && substance == TRUTH_SKIN && lamp == 0 ? 9 : 1);
                  ++round) {
@@ -161,11 +194,11 @@ static int draw(void)
                   {"model of the released", 1, 1, PLOT_DOTS},
                   {"7 taps, flat", 4, 1, PLOT_DOTS},
                   {"7, 17, 33 taps", 4, 0, PLOT_LINE | PLOT_DOTS},
-                  {"pyramid: flat, default", 9, 2, PLOT_LINE | PLOT_DOTS},
-                  {"pyramid, exact", 12, 1, PLOT_DOTS},
-                  {"2D in space: flat, not", 14, 2, PLOT_LINE | PLOT_DOTS},
-                  {"front and back", 17, 1, PLOT_DOTS},
-                  {"whole mesh", 19, 1, PLOT_DOTS}};
+                  {"pyramid: flat, default", 11, 2, PLOT_LINE | PLOT_DOTS},
+                  {"pyramid, exact", 14, 1, PLOT_DOTS},
+                  {"2D in space: flat, not", 16, 2, PLOT_LINE | PLOT_DOTS},
+                  {"front and back", 19, 1, PLOT_DOTS},
+                  {"whole mesh", 21, 1, PLOT_DOTS}};
     static const int taps[3] = {5, 7, 8};
     static double x[METHODS], y[METHODS], along[2][3];
     plot p;
@@ -193,6 +226,9 @@ int main(void)
     FILE *md = bench_open("sss_truth.md"), *csv = bench_open("sss_truth.csv");
     int object, substance, lamp, m, i;
     mkdir("build/truth", 0777);
+#ifdef HAVE_EGL
+    has_half = gl_open(GL_API_33);
+#endif
     fprintf(
         csv,
         "object,material,lamp,method,error,error_after_scale,lost_red,lost_green,lost_blue,at_outlines,at_shadow_borders,in_the_dark,elsewhere\n");
@@ -210,11 +246,13 @@ int main(void)
         fprintf(md, " %s, %s, %s |", object_name[shown[i][0]], substance_name[shown[i][1]], lamp_name[shown[i][2]]);
     fprintf(md, " texels | ns |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (m = 0; m < METHODS; ++m) {
+        if (methods[m].kind == HALVED && !has_half) continue;
         fprintf(md, "| %s |", methods[m].name);
         for (i = 0; i < SHOWN; ++i)
             fprintf(md, " %.1f |", 100 * report[shown[i][0]][shown[i][1]][shown[i][2]][m].relative);
         fprintf(md, " %s |", methods[m].texels);
-        if (methods[m].kind == DISC || methods[m].kind == FOLLOWING) fprintf(md, " - |\n"); /* plain loops */
+        if (methods[m].kind == DISC || methods[m].kind == FOLLOWING || methods[m].kind == HALVED)
+            fprintf(md, " - |\n"); /* plain loops, OpenGL */
         else fprintf(md, " %.0f |\n", nanoseconds[m]);
     }
     fprintf(
@@ -224,6 +262,7 @@ int main(void)
         "| method | error | after scale | lost | outlines | borders | dark | elsewhere |\n|---|---:|---:|---:|---:|---:|---:|---:|\n");
     for (m = 0; m < METHODS; ++m) {
         const truth_report *r = &report[0][0][0][m];
+        if (methods[m].kind == HALVED && !has_half) continue;
         fprintf(md, "| %s | %.1f | %.1f | %.0f, %.0f, %.0f | %.0f | %.0f | %.0f | %.0f |\n", methods[m].name,
                 100 * r->relative, 100 * r->scaled, 100 * r->lost[0], 100 * r->lost[1], 100 * r->lost[2],
                 100 * r->share[0], 100 * r->share[1], 100 * r->share[2], 100 * r->share[3]);
@@ -236,7 +275,7 @@ int main(void)
     fprintf(md, " all |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (m = 0; m < METHODS; ++m) {
         double by_substance[TRUTH_SUBSTANCES] = {0, 0, 0, 0, 0}, by_lamp[TRUTH_LAMPS] = {0, 0, 0}, all = 0;
-        if (methods[m].kind == MESH) continue;
+        if (methods[m].kind == MESH || (methods[m].kind == HALVED && !has_half)) continue;
         for (object = 0; object < OBJECTS; ++object)
             for (substance = 0; substance < TRUTH_SUBSTANCES; ++substance)
                 for (lamp = 0; lamp < TRUTH_LAMPS; ++lamp) {

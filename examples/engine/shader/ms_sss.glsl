@@ -408,7 +408,7 @@ float4 filter_pixel(int2 pixel) {
         int2 q = int2((p.x + 1) / 2 - 1 + i % 2, (p.y + 1) / 2 - 1 + i / 2);
         if (!inside(q * 2)) { continue; }
         float4 there = fetch_half(q);
-        float f = nearness(there, own, at) * pick(0.2, 0.8, q.x == p.x / 2) * pick(0.2, 0.8, q.y == p.y / 2);
+        float f = nearness(there, own, at) * pick(0.25, 0.75, q.x == p.x / 2) * pick(0.25, 0.75, q.y == p.y / 2);
         if (!(f > 0.0)) { continue; }
         float3 after = fetch_sum(q).rgb;
         float3 least = min(min(there.rgb, after), zero3);
