@@ -669,6 +669,8 @@ static void test_few_materials(void)
         CHECK_INT(ms_gpr_recommend(gp, &o, 100, x, NULL, NULL, &report, &error), MS_NOT_CONVERGED);
         CHECK(strstr(error.message, "no other materials") != NULL);
         CHECK(report.found > 0 && report.found <= FEW);
+        if (report.search == MS_GPR_SEARCH_VARIANTS) CHECK_INT(report.found, FEW); /* the worst of them too */
+        CHECK_INT(strstr(error.message, "reach the threshold") != NULL, report.search == MS_GPR_SEARCH_THRESHOLD);
         for (i = 0; i < report.found; ++i)
             for (j = 0; j < i; ++j) CHECK(memcmp(x + i * M, x + j * M, M * sizeof *x) != 0);
     }
@@ -681,6 +683,32 @@ static void test_few_materials(void)
     CHECK_INT(report.found, 0);
     ms_gpr_destroy(gp);
     space_free(&kept);
+}
+
+/* Four times as many recommendations take four times as long, not sixteen: 20,000, all different. */
+static void test_many_materials(void)
+{
+    enum { M = 2, N = 12, COUNT = 20000 };
+    double *x = (double *)malloc(COUNT * M * sizeof *x), data[N * M], y[N], seconds[2];
+    uint64_t state = test_seed;
+    ms_gpr_recommend_options o = recommend_options();
+    ms_gpr *gp;
+    int i;
+    for (i = 0; i < N * M; ++i) data[i] = test_uniform(&state);
+    for (i = 0; i < N; ++i) y[i] = i;
+    o.search = MS_GPR_SEARCH_VARIANTS;
+    CHECK_INT(ms_gpr_fit(data, y, N, M, NULL, &gp, NULL, NULL), MS_OK);
+    for (i = 0; i < 2; ++i) {
+        const clock_t began = clock();
+        CHECK_INT(ms_gpr_recommend(gp, &o, i ? COUNT : COUNT / 4, x, NULL, NULL, NULL, NULL), MS_OK);
+        seconds[i] = (double)(clock() - began) / CLOCKS_PER_SEC;
+    }
+    TEST_NOTE("%d in %.3f s, %d in %.3f s", COUNT / 4, seconds[0], COUNT, seconds[1]);
+    CHECK_LE(seconds[1], 8 * seconds[0]);          /* quadratic: 13 */
+    qsort(x, COUNT, 2 * sizeof *x, user__compare); /* by x0: rows that are equal stand together */
+    for (i = 1; i < COUNT; ++i) CHECK(memcmp(x + i * M, x + (i - 1) * M, M * sizeof *x) != 0);
+    ms_gpr_destroy(gp);
+    free(x);
 }
 
 /* Offsets of 1e5 to 1e9 cost no material and no score: what is found is what is found at 0. */
@@ -1906,6 +1934,7 @@ static const test_case cases[] = {
     {"recommend wishes", test_wishes},
     {"recommend snap", test_snap},
     {"recommend few materials", test_few_materials},
+    {"recommend many materials", test_many_materials},
     {"recommend offsets", test_offsets},
     {"recommend never nothing", test_never_nothing},
     {"recommend shares", test_shares},

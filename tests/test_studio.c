@@ -509,14 +509,17 @@ static void test_wants_picks(void)
 }
 
 /* Two of 19 parameters decide: both are named, and nothing else; a wish for a range is no reason; of two kinds that are
-   liked the parameter that tells them apart has no range. */
+   liked the parameter that tells them apart has no range. In other units, far from 0, the same are named, in numbers
+   that tell them. */
 static void test_explanation(void)
 {
     enum { N = 120, COUNT = 100 };
     static double x[N * M], y[N], found[COUNT * M];
     static double low[M], high[M];
+    static const char *const above[] = {"x2 above 0.", "x2 above 0.", "x2 above 0.", "x2 above 100.", "x2 above 2"};
     int kind, i, k;
-    for (kind = 0; kind < 3; ++kind) {
+    for (kind = 0; kind < 5; ++kind) {
+        const double unit = kind == 4 ? 360 : 1, offset = kind == 3 ? 100 : 0;
         uint64_t state = test_seed + 9;
         ms_gpr_recommend_options o;
         ms_gpr_recommend_report report;
@@ -526,19 +529,23 @@ static void test_explanation(void)
         for (i = 0; i < N; ++i) {
             double *v = x + i * M, far;
             random_material(&state, v);
-            far = kind < 2 ? v[4] : fmin(v[4], 1 - v[4]);
+            far = kind != 2 ? v[4] : fmin(v[4], 1 - v[4]);
             y[i] = 10 * fmax(0, 1 - 1.5 * far - 1.5 * (1 - v[2]));
+            for (k = 0; k < M; ++k) v[k] = offset + unit * v[k];
         }
         for (k = 0; k < M; ++k) low[k] = -HUGE_VAL, high[k] = HUGE_VAL;
         low[11] = 0.3, high[11] = 0.5;
         if (kind == 1) o.space.low = low, o.space.high = high;
         CHECK_INT(ms_gpr_fit(x, y, N, M, NULL, &gp, NULL, NULL), MS_OK);
         CHECK_INT(ms_gpr_recommend(gp, &o, COUNT, found, NULL, NULL, &report, NULL), MS_OK);
-        CHECK_INT(explain(gp, found, report.found, &o.space, NULL, 4, text, sizeof text), kind < 2 ? 2 : 1);
+        CHECK_INT(explain(gp, found, report.found, &o.space, NULL, 4, text, sizeof text), kind != 2 ? 2 : 1);
         TEST_NOTE("%s", text);
-        CHECK(strncmp(text, "liked for: ", 11) == 0 && strstr(text, "x2 above 0.") != NULL &&
-              strstr(text, "x11") == NULL);
-        CHECK((strstr(text, "x4 below 0.") != NULL) == (kind < 2));
+        CHECK(strncmp(text, "liked for: ", 11) == 0 && strstr(text, above[kind]) != NULL &&
+              strstr(text, "x11") == NULL && strchr(text, '+') == NULL);
+        CHECK((strstr(text,
+                      kind == 3       ? "x4 below 100."
+                          : kind == 4 ? "x4 below 8"
+                                      : "x4 below 0.") != NULL) == (kind != 2));
         CHECK_INT(explain(gp, found, report.found, NULL, NULL, 1, text, sizeof text), 1);
         CHECK(strchr(text, ',') == NULL);
         explain(gp, found, report.found, NULL, NULL, 4, small, sizeof small); /* cut, not overrun */

@@ -11,7 +11,7 @@
      recommended.csv   300 materials with predicted score and its standard deviation
      chosen.csv        the chosen material, its 7 variants, and the one matched to the edited picture
      workflow.mtlx     all of these as MaterialX (see materialx.h)
-     workflow.png      the gallery, bright as it was scored | 300 recommendations | the plane: preference, similarity,
+     workflow.png      120 of the gallery with their scores | 100 recommendations | the plane: preference, similarity,
                        product; the chosen material and its variants | chosen, edited, first guess, match, difference x
                        8, and a walk through the plane
      times.md          what each stage took, beside the thesis's Table 3.3 */
@@ -360,8 +360,10 @@ int main(int argc, char **argv)
         else if (strcmp(argv[i], "--networks") == 0) networks = argv[++i];
         else if (strcmp(argv[i], "--seed") == 0) {
             char *end;
-            f->seed = (uint64_t)strtoul(argv[++i], &end, 10);
-            if (end == argv[i] || *end) return misused("--seed", argv[i], "a whole number of at least 0");
+            const double seed = number_read(argv[++i], '.', &end);
+            if (end == argv[i] || *end || !(seed >= 0 && seed <= 9007199254740992.0) || seed > floor(seed))
+                return misused("--seed", argv[i], "a whole number from 0 to 2^53");
+            f->seed = (uint64_t)seed;
         } else if (strcmp(argv[i], "--taste") == 0) {
             for (f->user = tastes, ++i; f->user < tastes + 3 && strcmp(f->user->name, argv[i]) != 0; ++f->user) {}
             if (f->user == tastes + 3) return misused("--taste", argv[i], "metal, glass or jade");
