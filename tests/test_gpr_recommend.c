@@ -1796,12 +1796,12 @@ static void test_map_refusals(void)
     CHECK(map[2] > 0);
     CHECK_INT(map_around(p.plane, 1).columns, 2);
     s.pixels = 0;
-    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, &lambda, 1, 10, &best, x, &error), MS_OK);
+    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, &lambda, 1, 10, 0, &best, x, &error), MS_OK);
     view = ms_gpr_view_of(p.t.gp);
     for (i = 0; i < view.n; ++i) shifted[i] = view.y[i] - 100;
     view.y = shifted, view.mean -= 100, view.floor -= 100, view.floor_value -= 100;
     CHECK_INT(ms_gpr_create(&view, NULL, &below, &error), MS_OK);
-    CHECK_INT(variants_find(p.plane, below, &s, &p.grid, &lambda, 1, -90, &v, x, &error), MS_OK);
+    CHECK_INT(variants_find(p.plane, below, &s, &p.grid, &lambda, 1, -90, 0, &v, x, &error), MS_OK);
     CHECK_NEAR(v.value, best.value, 1e-9); /* the same, 100 lower */
     ms_gpr_destroy(below);
     plane_free(&p);
@@ -1814,7 +1814,7 @@ static void test_variants(void)
     plane_of_taste p = plane_make(20);
     double lambda[L], x[L * 12], at[2], *score = (double *)malloc(FINE * FINE * sizeof *score),
                                         *similar = (double *)malloc(FINE * FINE * sizeof *similar),
-                                        *known = (double *)malloc(FINE * FINE * sizeof *known), best;
+                                        *known = (double *)malloc(FINE * FINE * sizeof *known), best, apart_everywhere;
     variant_found v[L];
     variant_similarity s;
     map_grid fine = p.grid;
@@ -1832,7 +1832,7 @@ static void test_variants(void)
     CHECK_INT(map_confidence(p.plane, &fine, known, &map_error), MS_OK);
     CHECK_NEAR(fine.x1 - fine.x0, fine.y1 - fine.y0, 1e-12);
     calls = 0;
-    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, lambda, L, 10, v, x, &map_error), MS_OK);
+    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, lambda, L, 10, 0, v, x, &map_error), MS_OK);
     TEST_NOTE("%d pictures for %d variants", calls, L);
     CHECK_LE(calls, 20 * 20 + 2 + L * 160);
     for (i = 0; i < L; ++i) {
@@ -1859,8 +1859,25 @@ static void test_variants(void)
     }
     CHECK(v[L - 1].similarity > 0.9); /* the reference is a training material of the plane */
     best = v[0].score;
-    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, lambda, 1, 0, v, NULL, &map_error), MS_OK);
+    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, lambda, 1, 0, 0, v, NULL, &map_error), MS_OK);
     CHECK_NEAR(v[0].score, best, 1e-9); /* lambda 0 does not depend on the unit of scores */
+    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, lambda, L, 10, 0.5, v, x, &map_error), MS_OK);
+    for (i = 0; i < L; ++i) /* those that keep apart look different */
+        for (k = 0; k < i; ++k) {
+            float one[64], other[64];
+            double d2 = 0;
+            int pixel;
+            CHECK(hypot(v[i].latent[0] - v[k].latent[0], v[i].latent[1] - v[k].latent[1]) >= 0.5);
+            draw(&calls, x + i * 12, one);
+            draw(&calls, x + k * 12, other);
+            for (pixel = 0; pixel < 64; ++pixel) d2 += pow((double)one[pixel] - (double)other[pixel], 2) / 64;
+            CHECK(sqrt(d2) > 3 / 255.0);
+        }
+    CHECK_NEAR(v[0].score, best, 1e-9); /* the first has no other to keep apart from */
+    for (i = 1; i < L; ++i) CHECK(v[i].confidence > 0.5);
+    apart_everywhere = 2 * (p.grid.x1 - p.grid.x0); /* no room: still as many, the farthest */
+    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, lambda, L, 10, apart_everywhere, v, x, &map_error), MS_OK);
+    for (i = 1; i < L; ++i) CHECK(hypot(v[i].latent[0] - v[0].latent[0], v[i].latent[1] - v[0].latent[1]) > 0.5);
     for (k = 0; k < 20; ++k) { /* on any grid, no variant is less like its reference than the latent of the reference */
         const double *own = ms_gpr_latent_view_of(p.plane).points + 2 * k, most = 1;
         double near[4], sure[4];
@@ -1872,7 +1889,7 @@ static void test_variants(void)
         s.x = p.liked + k * 12;
         CHECK_INT(variants_map(p.plane, &s, &here, near, &map_error), MS_OK);
         CHECK_INT(map_confidence(p.plane, &here, sure, &map_error), MS_OK);
-        CHECK_INT(variants_find(p.plane, p.t.gp, &s, &coarse, &most, 1, 0, v, NULL, &map_error), MS_OK);
+        CHECK_INT(variants_find(p.plane, p.t.gp, &s, &coarse, &most, 1, 0, 0, v, NULL, &map_error), MS_OK);
         CHECK(v[0].value >= near[0] * sure[0] - 1e-9);
     }
     free(score);

@@ -517,6 +517,7 @@ static void test_explanation(void)
     static double x[N * M], y[N], found[COUNT * M];
     static double low[M], high[M];
     static const char *const above[] = {"x2 above 0.", "x2 above 0.", "x2 above 0.", "x2 above 100.", "x2 above 2"};
+    static const char *const below[] = {"x4 below 0.", "x4 below 0.", "x4 ", "x4 below 100.", "x4 below 8"};
     int kind, i, k;
     for (kind = 0; kind < 5; ++kind) {
         const double unit = kind == 4 ? 360 : 1, offset = kind == 3 ? 100 : 0;
@@ -542,10 +543,7 @@ static void test_explanation(void)
         TEST_NOTE("%s", text);
         CHECK(strncmp(text, "liked for: ", 11) == 0 && strstr(text, above[kind]) != NULL &&
               strstr(text, "x11") == NULL && strchr(text, '+') == NULL);
-        CHECK((strstr(text,
-                      kind == 3       ? "x4 below 100."
-                          : kind == 4 ? "x4 below 8"
-                                      : "x4 below 0.") != NULL) == (kind != 2));
+        CHECK((strstr(text, below[kind]) != NULL) == (kind != 2));
         CHECK_INT(explain(gp, found, report.found, NULL, NULL, 1, text, sizeof text), 1);
         CHECK(strchr(text, ',') == NULL);
         explain(gp, found, report.found, NULL, NULL, 4, small, sizeof small); /* cut, not overrun */

@@ -184,17 +184,26 @@ static ms_status color_similarity(flow *f)
     return status;
 }
 
-/* Section 3.7: from most similar to best liked. */
+/* Section 3.7: from most similar to least, which are liked best; no two look alike. */
 static ms_status vary(flow *f)
 {
     variant_similarity similarity = to_the_chosen(f);
-    double lambda[VARIANTS];
+    double lambda[VARIANTS], row[M];
     ms_status status;
-    int i;
+    int i, k;
     for (i = 0; i < VARIANTS; ++i)
         lambda[i] = 0.7 * pow(1 - (i + 0.5) / (int)VARIANTS, 2); /* beyond 0.5 little changes */
-    status = variants_find(f->plane, f->gp, &similarity, &f->coarse, lambda, VARIANTS, 0, f->variant, f->variants,
+    status = variants_find(f->plane, f->gp, &similarity, &f->coarse, lambda, VARIANTS, 0, 0.5, f->variant, f->variants,
                            &f->error);
+    for (i = 1; i < VARIANTS && status == MS_OK; ++i)
+        for (k = i; k > 0 && f->variant[k].similarity > f->variant[k - 1].similarity; --k) {
+            const variant_found better = f->variant[k];
+            f->variant[k] = f->variant[k - 1];
+            f->variant[k - 1] = better;
+            memcpy(row, f->variants + k * M, sizeof row);
+            memcpy(f->variants + k * M, f->variants + (k - 1) * M, sizeof row);
+            memcpy(f->variants + (k - 1) * M, row, sizeof row);
+        }
     for (i = 0; i < VARIANTS * M && status == MS_OK; ++i) f->variants[i] = fmin(fmax(f->variants[i], 0), 1);
     return status;
 }
