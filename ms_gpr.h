@@ -379,8 +379,8 @@ typedef struct ms_gpr_gallery_options {
    largest 1.96 sigma - |mean - threshold of tau = 0.6|. Choices do not tell what is liked at all: after some, every
    second material is of the largest P(score > floor) sigma. Half of the candidates are uniform, half variants of what
    was liked: a material drawn in proportion to its score, half of them crossed with a second one, some parameters drawn
-   anew. Each choice takes those before it as scored. If few that were scored are liked, ask for choices ("the best 2 of 9"): they find rare tastes
-   sooner.
+   anew. Each choice takes those before it as scored. If few that were scored are liked, ask for choices ("the best 2 of
+   9"): they find rare tastes sooner.
    MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Thesis 3.7; Bryan and others 2005, "Active learning for identifying function
    threshold boundaries". */
 MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x,
