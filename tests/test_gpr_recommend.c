@@ -1814,7 +1814,7 @@ static void test_variants(void)
     plane_of_taste p = plane_make(20);
     double lambda[L], x[L * 12], at[2], *score = (double *)malloc(FINE * FINE * sizeof *score),
                                         *similar = (double *)malloc(FINE * FINE * sizeof *similar),
-                                        *known = (double *)malloc(FINE * FINE * sizeof *known), best, apart_everywhere;
+                                        *known = (double *)malloc(FINE * FINE * sizeof *known), best, range = 0;
     variant_found v[L];
     variant_similarity s;
     map_grid fine = p.grid;
@@ -1861,13 +1861,16 @@ static void test_variants(void)
     best = v[0].score;
     CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, lambda, 1, 0, 0, v, NULL, &map_error), MS_OK);
     CHECK_NEAR(v[0].score, best, 1e-9); /* lambda 0 does not depend on the unit of scores */
-    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, lambda, L, 10, 0.5, v, x, &map_error), MS_OK);
+    for (i = 0; i < 2 * p.z; ++i)
+        for (k = i % 2; k < 2 * p.z; k += 2)
+            range = fmax(range, ms_gpr_latent_view_of(p.plane).points[i] - ms_gpr_latent_view_of(p.plane).points[k]);
+    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, lambda, L, 10, 0.05, v, x, &map_error), MS_OK);
     for (i = 0; i < L; ++i) /* those that keep apart look different */
         for (k = 0; k < i; ++k) {
             float one[64], other[64];
             double d2 = 0;
             int pixel;
-            CHECK(hypot(v[i].latent[0] - v[k].latent[0], v[i].latent[1] - v[k].latent[1]) >= 0.5);
+            CHECK(hypot(v[i].latent[0] - v[k].latent[0], v[i].latent[1] - v[k].latent[1]) >= 0.05 * range);
             draw(&calls, x + i * 12, one);
             draw(&calls, x + k * 12, other);
             for (pixel = 0; pixel < 64; ++pixel) d2 += pow((double)one[pixel] - (double)other[pixel], 2) / 64;
@@ -1875,9 +1878,10 @@ static void test_variants(void)
         }
     CHECK_NEAR(v[0].score, best, 1e-9); /* the first has no other to keep apart from */
     for (i = 1; i < L; ++i) CHECK(v[i].confidence > 0.5);
-    apart_everywhere = 2 * (p.grid.x1 - p.grid.x0); /* no room: still as many, the farthest */
-    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, lambda, L, 10, apart_everywhere, v, x, &map_error), MS_OK);
-    for (i = 1; i < L; ++i) CHECK(hypot(v[i].latent[0] - v[0].latent[0], v[i].latent[1] - v[0].latent[1]) > 0.5);
+    /* no room: still as many, the farthest */
+    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, lambda, L, 10, 9, v, x, &map_error), MS_OK);
+    for (i = 1; i < L; ++i)
+        CHECK(hypot(v[i].latent[0] - v[0].latent[0], v[i].latent[1] - v[0].latent[1]) > 0.1 * range);
     for (k = 0; k < 20; ++k) { /* on any grid, no variant is less like its reference than the latent of the reference */
         const double *own = ms_gpr_latent_view_of(p.plane).points + 2 * k, most = 1;
         double near[4], sure[4];

@@ -6,7 +6,7 @@
      map_confidence(plane, &grid, confidence, &error);      how much the plane knows: 0 nothing, 1 all
      map_value(&grid, value, x, y)                          bilinear interpolation
      variants_map(plane, &similarity, &grid, map, &error);  similarity of every point's material
-     variants_find(plane, gp, &similarity, &grid, lambda, 7, 0, 0.5, variant, x, &error);   seven variants, x [7][m] or NULL
+     variants_find(plane, gp, &similarity, &grid, lambda, 7, 0, 0.07, variant, x, &error);   seven variants, x [7][m] or NULL
  */
 #ifndef EXAMPLES_PLANE_H
 #define EXAMPLES_PLANE_H
@@ -299,15 +299,18 @@ static inline ms_status variants__refine(variants *v, const map_grid *grid, doub
 /* The variants of largest value over the plane, for several lambda.
    lambda   [count], each in [0, 1]: 1 asks for the most similar material, 0 for the best
    best     the score that counts as 1; NaN, or the floor or less: the largest on the grid
-   apart    in length scales: no variant is nearer to one before it, while the plane has room. Most lambdas have one of
-            a few places, so that variants look alike with 0; 0.5 is some 7 of 255 in pictures
+   apart    no variant is nearer to one before it, while the plane has room: a share of the range that the embedded
+            materials have there. Most lambdas have one of a few places, so that variants look alike with 0; 0.07 is
+            3 to 17 of 255 in pictures
    found    [count] out; x [count][m] out, or NULL: their materials
    All lambdas share what was looked at: with 0, more lambda never means less similarity times confidence. */
 static inline ms_status variants_find(const ms_gpr_latent *plane, const ms_gpr *gp, const variant_similarity *like,
                                       const map_grid *grid, const double *lambda, int count, double best, double apart,
                                       variant_found *found, double *x, ms_error *error)
 {
-    const int m = ms_gpr_latent_view_of(plane).m, points = grid->columns * grid->rows;
+    const ms_gpr_latent_view view = ms_gpr_latent_view_of(plane);
+    const int m = view.m, points = grid->columns * grid->rows;
+    double least[2] = {0, 0};
     double *grid_x = (double *)malloc((size_t)points * (size_t)m * sizeof *grid_x);
     double *at = (double *)malloc(2 * (size_t)points * sizeof *at);
     variants v;
@@ -315,7 +318,9 @@ static inline ms_status variants_find(const ms_gpr_latent *plane, const ms_gpr *
     int i;
     memset(&v, 0, sizeof v);
     v.plane = plane, v.gp = gp, v.like = like;
-    v.chosen = found, v.apart = apart;
+    v.chosen = found;
+    for (i = 0; i < 2 * view.z; ++i) least[i % 2] = i < 2 ? view.points[i] : fmin(least[i % 2], view.points[i]);
+    for (i = 0; i < 2 * view.z; ++i) v.apart = fmax(v.apart, apart * (view.points[i] - least[i % 2]));
     v.floor = ms_gpr_view_of(gp).floor;
     v.best = best > v.floor ? best : -HUGE_VAL;
     v.x = (double *)malloc(4 * (size_t)m * sizeof *v.x);
@@ -331,7 +336,7 @@ static inline ms_status variants_find(const ms_gpr_latent *plane, const ms_gpr *
         for (i = 0; i < count && status == MS_OK; ++i) status = variants__refine(&v, grid, lambda[i], error);
         for (i = 0; i < count && status == MS_OK; ++i) {
             v.choices = i;
-            if (i > 0 && apart > 0) status = variants__refine(&v, grid, lambda[i], error); /* beside those before */
+            if (i > 0 && v.apart > 0) status = variants__refine(&v, grid, lambda[i], error); /* beside those before */
             found[i] = variants__best(&v, lambda[i], NULL, NULL);
             if (x && status == MS_OK)
                 status = ms_gpr_latent_map(plane, found[i].latent, 1, x + (size_t)i * (size_t)m, NULL, error);

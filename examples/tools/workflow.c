@@ -193,7 +193,7 @@ static ms_status vary(flow *f)
     int i, k;
     for (i = 0; i < VARIANTS; ++i)
         lambda[i] = 0.7 * pow(1 - (i + 0.5) / (int)VARIANTS, 2); /* beyond 0.5 little changes */
-    status = variants_find(f->plane, f->gp, &similarity, &f->coarse, lambda, VARIANTS, 0, 0.5, f->variant, f->variants,
+    status = variants_find(f->plane, f->gp, &similarity, &f->coarse, lambda, VARIANTS, 0, 0.07, f->variant, f->variants,
                            &f->error);
     for (i = 1; i < VARIANTS && status == MS_OK; ++i)
         for (k = i; k > 0 && f->variant[k].similarity > f->variant[k - 1].similarity; --k) {
@@ -421,7 +421,7 @@ int main(int argc, char **argv)
     report(times.f, f, calls);
     if ((problem = file_finish(&times, 1)) != NULL) return fail(path, problem);
 
-    if (file) printf("%d scores of %s.\n", f->n, file);
+    if (file) printf("%d score%s of %s.\n", f->n, f->n == 1 ? "" : "s", file);
     else
         printf("%d scores of a user who likes %s. Mean score of %d random materials: %.1f; "
                "of the recommended ones: %.1f.\n",
