@@ -324,7 +324,7 @@ static inline ms_status variants_find(const ms_gpr_latent *plane, const ms_gpr *
     v.floor = ms_gpr_view_of(gp).floor;
     v.best = best > v.floor ? best : -HUGE_VAL;
     v.x = (double *)malloc(4 * (size_t)m * sizeof *v.x);
-    v.seen = (variant_found *)malloc(((size_t)points + 1 + (size_t)count * 16 * VARIANTS__ROUNDS) * sizeof *v.seen);
+    v.seen = (variant_found *)malloc(((size_t)points + 1 + (size_t)count * 8 * VARIANTS__ROUNDS) * sizeof *v.seen);
     if (grid_x && at && v.x && v.seen) status = variants__pictures(like, &v.pictures, error);
     else snprintf(error->message, sizeof error->message, "no memory for variants");
     if (status == MS_OK) {
@@ -333,7 +333,8 @@ static inline ms_status variants_find(const ms_gpr_latent *plane, const ms_gpr *
         if (status == MS_OK) status = variants__look_nearest(&v, error);
         for (i = 0; i < v.count && !(best > v.floor); ++i) v.best = fmax(v.best, v.seen[i].score);
         if (!(v.best > v.floor)) v.best = v.floor + 1;
-        for (i = 0; i < count && status == MS_OK; ++i) status = variants__refine(&v, grid, lambda[i], error);
+        for (i = 0; i < count && status == MS_OK && (i == 0 || !(v.apart > 0)); ++i)
+            status = variants__refine(&v, grid, lambda[i], error);
         for (i = 0; i < count && status == MS_OK; ++i) {
             v.choices = i;
             if (i > 0 && v.apart > 0) status = variants__refine(&v, grid, lambda[i], error); /* beside those before */
