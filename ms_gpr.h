@@ -361,8 +361,9 @@ typedef struct ms_gpr_recommend_report {
    sigma     [count] out, or NULL: their standard deviation
    report    out, or NULL
    Separate regions that are liked get recommendations in proportion to their volume, as far as 4096 candidates tell it;
-   where fewer than 16 of them hit any, from the answered materials and a climb. MS_NOT_CONVERGED: there are not so many
-   different materials, or all others are to be avoided; then the first report->found rows are valid.
+   where fewer than 16 of them hit any, from the answered materials and a climb. MS_NOT_CONVERGED: 20000 candidates in a
+   row were known or to be avoided, as where there are not so many different ones (that reach the threshold); then the
+   first report->found rows are valid.
    MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Thesis 3.4.1; Neal 2003, slice sampling. */
 MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
                                   double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error);
@@ -373,13 +374,13 @@ typedef struct ms_gpr_gallery_options {
     uint64_t seed; /* the number of scores is part of it: every round gives another gallery */
 } ms_gpr_gallery_options;
 
-/* Materials x [count][m], out, that the user is to score next; different ones, if there are so many. They are spread
-   until something is liked; then they are near the threshold of recommendations: largest 1.96 sigma - |mean - threshold
-   of tau = 0.6|. Choices do not tell what is liked at all: after some, every second material is of the largest
-   P(score > floor) sigma. Half of the candidates are uniform, half variants of what was liked: a material drawn in
-   proportion to its score, half of them crossed with a second one, some parameters drawn anew. Each choice takes those
-   before it as scored. If few that were scored are liked, ask for choices ("the best 2 of 9"): they find rare tastes
-   sooner.
+/* Materials x [count][m], out, that the user is to score next; different ones while the candidates are, 1024 or more
+   and 10 for each. They are spread until something is liked; then they are near the threshold of recommendations:
+   largest 1.96 sigma - |mean - threshold of tau = 0.6|. Choices do not tell what is liked at all: after some, every
+   second material is of the largest P(score > floor) sigma. Half of the candidates are uniform, half variants of what
+   was liked: a material drawn in proportion to its score, half of them crossed with a second one, some parameters drawn
+   anew. Each choice takes those before it as scored. If few that were scored are liked, ask for choices ("the best 2 of
+   9"): they find rare tastes sooner.
    MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Thesis 3.7; Bryan and others 2005, "Active learning for identifying function
    threshold boundaries". */
 MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x,
@@ -1235,10 +1236,8 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
             }
             defined = s->f(s->context, trial, &value, trial_gradient);
             ++best.evaluations;
-            if (defined < 0) {
-                best.stopped = 1;
-                return best;
-            }
+            best.stopped = defined < 0;
+            if (best.stopped) return best;
             if (defined && ms__finite(value) && value <= best.value + 1e-4 * decrease) break;
             if (best.evaluations >= s->evaluations || step * largest < 1e-12) {
                 defined = 0;
@@ -2144,14 +2143,14 @@ typedef struct ms_gpr__ranked {
     int index;
 } ms_gpr__ranked;
 
-/* Largest value first, then smallest index, by insertion into a list in the order of indices. */
-static void ms_gpr__ranked_sort(ms_gpr__ranked *list, int count)
+/* The values with their indices; sorted: the largest first, of equal ones the smallest index. */
+static void ms_gpr__rank(ms_gpr__ranked *list, const double *values, int count, int sorted)
 {
     int i, j;
-    for (i = 1; i < count; ++i) {
-        ms_gpr__ranked moved = list[i];
-        for (j = i; j > 0 && moved.value > list[j - 1].value; --j) list[j] = list[j - 1];
-        list[j] = moved;
+    for (i = 0; i < count; ++i) {
+        for (j = i; sorted && j > 0 && values[i] > list[j - 1].value; --j) list[j] = list[j - 1];
+        list[j].value = values[i];
+        list[j].index = i;
     }
 }
 
@@ -2288,18 +2287,12 @@ static void ms_gpr__fit_rows(ms_gpr__fit *fit)
     const int n = data->n;
     ms_gpr__problem *p = &fit->problem;
     int best = fit->part / 2, even = fit->part - best, left = n - best, i, k;
-    for (i = 0; i < n; ++i) {
-        fit->order[i].index = i;
-        fit->order[i].value = y[i];
-    }
-    if (fit->part < n) {
-        ms_gpr__ranked_sort(fit->order, n);
-        for (i = 0; i < even; ++i) { /* what is swapped stands farther behind than anything looked for later */
-            int from = best + (int)((size_t)(2 * i + 1) * (size_t)left / (size_t)(2 * even));
-            ms_gpr__ranked swap = fit->order[best + i];
-            fit->order[best + i] = fit->order[from];
-            fit->order[from] = swap;
-        }
+    ms_gpr__rank(fit->order, y, n, fit->part < n);
+    for (i = 0; i < even && fit->part < n; ++i) { /* what is swapped stands behind anything looked for later */
+        int from = best + (int)((size_t)(2 * i + 1) * (size_t)left / (size_t)(2 * even));
+        ms_gpr__ranked swap = fit->order[best + i];
+        fit->order[best + i] = fit->order[from];
+        fit->order[from] = swap;
     }
     for (i = 0; i < n; ++i) {
         const int row = fit->order[i].index;
@@ -2511,14 +2504,15 @@ static ms_status ms_gpr__box_make(const double *x, int n, int m, const ms_gpr_sp
     ms_gpr__take_each(memory, (size_t)m, 4, &box->low, &box->high, &box->width, &box->per);
     status = ms_gpr__taken(memory, "a box", error);
     for (k = 0; k < m && status == MS_OK; ++k) {
-        double low, high, limit = MS_GPR__LARGEST;
+        double low, high;
         ms_gpr__range(x + k, n, (size_t)m, &low, &high);
         if (low >= 0 && high <= 1 && (n < 8 || high > low)) low = 0, high = 1;
         low = ms_gpr__bound(space->low, k, -1, low);
         high = ms_gpr__bound(space->high, k, 1, high);
-        if (!ms__finite(low) || !ms__finite(high) || !(fabs(low) <= limit) || !(fabs(high) <= limit) || high < low)
+        if (!(low <= high) || !(fabs(low) <= MS_GPR__LARGEST) || !(fabs(high) <= MS_GPR__LARGEST))
             status = ms__fail(error, MS_INVALID_ARGUMENT, 0,
-                              "the box of dimension %d is [%g, %g]: expected low <= high", k, low, high);
+                              "the box of dimension %d is [%g, %g]: expected low <= high, to 1e30 in size", k, low,
+                              high);
         box->low[k] = low;
         box->high[k] = high;
         box->width[k] = high - low;
@@ -2671,6 +2665,7 @@ typedef struct ms_gpr__sampler {
     ms_gpr_recommend_options o; /* with the defaults filled in */
     int count, taken;           /* wanted; found, all different */
     double *x;                  /* [count][m] */
+    int *place;                 /* [2 count + 1] a hash table of their rows, from 1; 0: nothing is there */
     double least;               /* of their means */
     int refused, avoided;   /* candidates in a row that were equal to one of x, or to be avoided; the latter alone */
     double threshold;       /* what recommendations reach */
@@ -2700,15 +2695,20 @@ static int ms_gpr__avoided(const ms_gpr__box *box, const double *rows, int count
 /* The next candidate of the sequence, and its mean. */
 static void ms_gpr__sampler_accept(ms_gpr__sampler *h, const double *x, double mean)
 {
-    const size_t size = (size_t)h->source.gp->m * sizeof *x;
+    const size_t m = (size_t)h->source.gp->m, places = 2 * (size_t)h->count + 1;
     const int avoid = ms_gpr__avoided(&h->source.box, h->o.avoid, h->o.avoid_count, x);
-    int known = avoid, i;
+    uint64_t key = 0, bits;
+    int known = avoid;
+    size_t at, k;
     if (h->taken == h->count) return;
-    for (i = 0; i < h->taken && !known; ++i) known = memcmp(h->x + (size_t)(i * h->source.gp->m), x, size) == 0;
+    for (k = 0; k < m; key = ms_gpr__mix(key + bits), ++k) memcpy(&bits, x + k, sizeof bits);
+    for (at = (size_t)(key % places); h->place[at] && !known; at = (at + 1) % places)
+        known = memcmp(h->x + (size_t)(h->place[at] - 1) * m, x, m * sizeof *x) == 0;
     h->refused = known ? h->refused + 1 : 0;
     h->avoided = known ? h->avoided + avoid : 0;
     if (known) return;
-    memcpy(h->x + (size_t)h->taken++ * (size_t)h->source.gp->m, x, size);
+    memcpy(h->x + (size_t)h->taken * m, x, m * sizeof *x);
+    h->place[at] = ++h->taken;
     h->least = fmin(h->least, mean);
 }
 
@@ -2883,7 +2883,8 @@ static ms_status ms_gpr__sampler_chains(ms_gpr__sampler *h, ms_error *error)
     return status;
 }
 
-/* Variants of what was liked, or uniform candidates where nothing was: the best tenth of each round. */
+/* Variants of what was liked, or uniform candidates where nothing was: the best tenth of each round, and what follows
+   it until one is new where all of them were refused. */
 static ms_status ms_gpr__sampler_variants(ms_gpr__sampler *h, ms_error *error)
 {
     const int size = MS_GPR__WAVE * MS_GPR__BEST_OF;
@@ -2898,12 +2899,8 @@ static ms_status ms_gpr__sampler_variants(ms_gpr__sampler *h, ms_error *error)
         ms_gpr__source_fill(&h->source, 1, 0, 0.3, &random, size, h->candidate);
         status = ms_gpr_predict(h->source.gp, h->candidate, size, h->mean, NULL, error);
         if (status != MS_OK) return status;
-        for (i = 0; i < size; ++i) {
-            h->ranked[i].index = i;
-            h->ranked[i].value = h->mean[i];
-        }
-        ms_gpr__ranked_sort(h->ranked, size);
-        for (i = 0; i < MS_GPR__WAVE; ++i)
+        ms_gpr__rank(h->ranked, h->mean, size, 1);
+        for (i = 0; i < MS_GPR__WAVE || (i < size && h->refused >= MS_GPR__WAVE); ++i)
             ms_gpr__sampler_accept(h, h->candidate + (size_t)h->ranked[i].index * m, h->ranked[i].value);
         if (h->refused > MS_GPR__REFUSED) return MS_NOT_CONVERGED;
     }
@@ -2921,8 +2918,9 @@ static ms_status ms_gpr__sampler_make(ms_gpr__sampler *h, ms_gpr__memory *memory
     h->mean = ms_gpr__take(memory, candidates, 1);
     h->ranked = (ms_gpr__ranked *)ms_gpr__take_bytes(memory, MS_GPR__WAVE * MS_GPR__BEST_OF, sizeof *h->ranked);
     h->seed = ms_gpr__take(memory, MS_GPR__SEEDS, m);
-    h->axis = (int *)ms_gpr__take_bytes(memory, m, sizeof(int));
-    h->use = (int *)ms_gpr__take_bytes(memory, m, sizeof(int));
+    h->axis = (int *)ms_gpr__take_bytes(memory, 2 * m, sizeof(int));
+    h->use = h->axis + m;
+    h->place = (int *)ms_gpr__take_bytes(memory, 2 * (size_t)h->count + 1, sizeof(int));
     for (i = 0; i < MS_GPR__TASKS; ++i) {
         ms_gpr__chain *c = &h->chain[i];
         ms_gpr__take_each(memory, m, 3, &c->point, &c->material, &c->scaled);
@@ -2951,6 +2949,8 @@ static ms_status ms_gpr__sampler_run(ms_gpr__sampler *h, ms_error *error)
     h->report.found = h->taken;
     if (status != MS_NOT_CONVERGED) return status;
     if (h->refused > 0) reason = ": there are no other materials";
+    if (h->refused > 0 && h->report.search == MS_GPR_SEARCH_THRESHOLD)
+        reason = ": there are no other materials that reach the threshold";
     if (h->avoided > 0) reason = ": the others are too near to one to avoid";
     return ms__fail(error, status, 0, "gave up after %d of %d recommendations%s", h->taken, h->count, reason);
 }

@@ -217,6 +217,12 @@ if [ -x build/recommend ]; then
     refuses "a metal that is not there" "none of its 3 rows" build/recommend "$out/scores.csv" --keep x2=0.1 --list "$out/metals.csv"
     refuses "equal columns without a value in common" "no value is in both ranges" build/recommend "$out/scores.csv" --keep x0=0:0.2 --keep x1=0.5:1 --keep x0=x1
     refuses "a parameter that is not there" "x0=x4: 'x4' is neither a number nor the name of a column" build/recommend "$out/scores.csv" --keep x0=x4
+    refuses "a part of a material left out" "expected a whole number" build/recommend "$out/scores.csv" --skip 1.5
+    refuses "a seed of a fraction" "expected a whole number" build/recommend "$out/scores.csv" --seed 0.5
+    refuses "no number at all" "a wish is none of" build/recommend "$out/scores.csv" --keep x0=nan
+    refuses "a parameter kept at infinity" "a wish is none of" build/recommend "$out/scores.csv" --keep x0=1e400
+    refuses "a range without its end" "a wish is none of" build/recommend "$out/scores.csv" --keep x0=0.5:
+    ok "a threshold just above the floor" build/recommend "$out/scores.csv" --count 1 --tau 1e-9
     head -n 1 "$out/metals.csv" >"$out/none.csv"
     refuses "a list of no rows" "none.csv: holds no rows" build/recommend "$out/scores.csv" --list "$out/none.csv"
     refuses "a list without names" "does not name the columns" build/recommend "$out/scores.csv" --list "$out/scores.csv"

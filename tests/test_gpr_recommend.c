@@ -669,6 +669,8 @@ static void test_few_materials(void)
         CHECK_INT(ms_gpr_recommend(gp, &o, 100, x, NULL, NULL, &report, &error), MS_NOT_CONVERGED);
         CHECK(strstr(error.message, "no other materials") != NULL);
         CHECK(report.found > 0 && report.found <= FEW);
+        if (report.search == MS_GPR_SEARCH_VARIANTS) CHECK_INT(report.found, FEW); /* the worst of them too */
+        CHECK_INT(strstr(error.message, "reach the threshold") != NULL, report.search == MS_GPR_SEARCH_THRESHOLD);
         for (i = 0; i < report.found; ++i)
             for (j = 0; j < i; ++j) CHECK(memcmp(x + i * M, x + j * M, M * sizeof *x) != 0);
     }
@@ -681,6 +683,32 @@ static void test_few_materials(void)
     CHECK_INT(report.found, 0);
     ms_gpr_destroy(gp);
     space_free(&kept);
+}
+
+/* Four times as many recommendations take four times as long, not sixteen: 20,000, all different. */
+static void test_many_materials(void)
+{
+    enum { M = 2, N = 12, COUNT = 20000 };
+    double *x = (double *)malloc(COUNT * M * sizeof *x), data[N * M], y[N], seconds[2];
+    uint64_t state = test_seed;
+    ms_gpr_recommend_options o = recommend_options();
+    ms_gpr *gp;
+    int i;
+    for (i = 0; i < N * M; ++i) data[i] = test_uniform(&state);
+    for (i = 0; i < N; ++i) y[i] = i;
+    o.search = MS_GPR_SEARCH_VARIANTS;
+    CHECK_INT(ms_gpr_fit(data, y, N, M, NULL, &gp, NULL, NULL), MS_OK);
+    for (i = 0; i < 2; ++i) {
+        const clock_t began = clock();
+        CHECK_INT(ms_gpr_recommend(gp, &o, i ? COUNT : COUNT / 4, x, NULL, NULL, NULL, NULL), MS_OK);
+        seconds[i] = (double)(clock() - began) / CLOCKS_PER_SEC;
+    }
+    TEST_NOTE("%d in %.3f s, %d in %.3f s", COUNT / 4, seconds[0], COUNT, seconds[1]);
+    CHECK_LE(seconds[1], 8 * seconds[0]);          /* quadratic: 13 */
+    qsort(x, COUNT, 2 * sizeof *x, user__compare); /* by x0: rows that are equal stand together */
+    for (i = 1; i < COUNT; ++i) CHECK(memcmp(x + i * M, x + (i - 1) * M, M * sizeof *x) != 0);
+    ms_gpr_destroy(gp);
+    free(x);
 }
 
 /* Offsets of 1e5 to 1e9 cost no material and no score: what is found is what is found at 0. */
@@ -1768,12 +1796,12 @@ static void test_map_refusals(void)
     CHECK(map[2] > 0);
     CHECK_INT(map_around(p.plane, 1).columns, 2);
     s.pixels = 0;
-    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, &lambda, 1, 10, &best, x, &error), MS_OK);
+    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, &lambda, 1, 10, 0, &best, x, &error), MS_OK);
     view = ms_gpr_view_of(p.t.gp);
     for (i = 0; i < view.n; ++i) shifted[i] = view.y[i] - 100;
     view.y = shifted, view.mean -= 100, view.floor -= 100, view.floor_value -= 100;
     CHECK_INT(ms_gpr_create(&view, NULL, &below, &error), MS_OK);
-    CHECK_INT(variants_find(p.plane, below, &s, &p.grid, &lambda, 1, -90, &v, x, &error), MS_OK);
+    CHECK_INT(variants_find(p.plane, below, &s, &p.grid, &lambda, 1, -90, 0, &v, x, &error), MS_OK);
     CHECK_NEAR(v.value, best.value, 1e-9); /* the same, 100 lower */
     ms_gpr_destroy(below);
     plane_free(&p);
@@ -1786,7 +1814,7 @@ static void test_variants(void)
     plane_of_taste p = plane_make(20);
     double lambda[L], x[L * 12], at[2], *score = (double *)malloc(FINE * FINE * sizeof *score),
                                         *similar = (double *)malloc(FINE * FINE * sizeof *similar),
-                                        *known = (double *)malloc(FINE * FINE * sizeof *known), best;
+                                        *known = (double *)malloc(FINE * FINE * sizeof *known), best, range = 0;
     variant_found v[L];
     variant_similarity s;
     map_grid fine = p.grid;
@@ -1804,7 +1832,7 @@ static void test_variants(void)
     CHECK_INT(map_confidence(p.plane, &fine, known, &map_error), MS_OK);
     CHECK_NEAR(fine.x1 - fine.x0, fine.y1 - fine.y0, 1e-12);
     calls = 0;
-    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, lambda, L, 10, v, x, &map_error), MS_OK);
+    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, lambda, L, 10, 0, v, x, &map_error), MS_OK);
     TEST_NOTE("%d pictures for %d variants", calls, L);
     CHECK_LE(calls, 20 * 20 + 2 + L * 160);
     for (i = 0; i < L; ++i) {
@@ -1831,8 +1859,29 @@ static void test_variants(void)
     }
     CHECK(v[L - 1].similarity > 0.9); /* the reference is a training material of the plane */
     best = v[0].score;
-    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, lambda, 1, 0, v, NULL, &map_error), MS_OK);
+    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, lambda, 1, 0, 0, v, NULL, &map_error), MS_OK);
     CHECK_NEAR(v[0].score, best, 1e-9); /* lambda 0 does not depend on the unit of scores */
+    for (i = 0; i < 2 * p.z; ++i)
+        for (k = i % 2; k < 2 * p.z; k += 2)
+            range = fmax(range, ms_gpr_latent_view_of(p.plane).points[i] - ms_gpr_latent_view_of(p.plane).points[k]);
+    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, lambda, L, 10, 0.05, v, x, &map_error), MS_OK);
+    for (i = 0; i < L; ++i) /* those that keep apart look different */
+        for (k = 0; k < i; ++k) {
+            float one[64], other[64];
+            double d2 = 0;
+            int pixel;
+            CHECK(hypot(v[i].latent[0] - v[k].latent[0], v[i].latent[1] - v[k].latent[1]) >= 0.05 * range);
+            draw(&calls, x + i * 12, one);
+            draw(&calls, x + k * 12, other);
+            for (pixel = 0; pixel < 64; ++pixel) d2 += pow((double)one[pixel] - (double)other[pixel], 2) / 64;
+            CHECK(sqrt(d2) > 3 / 255.0);
+        }
+    CHECK_NEAR(v[0].score, best, 1e-9); /* the first has no other to keep apart from */
+    for (i = 1; i < L; ++i) CHECK(v[i].confidence > 0.5);
+    /* no room: still as many, the farthest */
+    CHECK_INT(variants_find(p.plane, p.t.gp, &s, &p.grid, lambda, L, 10, 9, v, x, &map_error), MS_OK);
+    for (i = 1; i < L; ++i)
+        CHECK(hypot(v[i].latent[0] - v[0].latent[0], v[i].latent[1] - v[0].latent[1]) > 0.1 * range);
     for (k = 0; k < 20; ++k) { /* on any grid, no variant is less like its reference than the latent of the reference */
         const double *own = ms_gpr_latent_view_of(p.plane).points + 2 * k, most = 1;
         double near[4], sure[4];
@@ -1844,7 +1893,7 @@ static void test_variants(void)
         s.x = p.liked + k * 12;
         CHECK_INT(variants_map(p.plane, &s, &here, near, &map_error), MS_OK);
         CHECK_INT(map_confidence(p.plane, &here, sure, &map_error), MS_OK);
-        CHECK_INT(variants_find(p.plane, p.t.gp, &s, &coarse, &most, 1, 0, v, NULL, &map_error), MS_OK);
+        CHECK_INT(variants_find(p.plane, p.t.gp, &s, &coarse, &most, 1, 0, 0, v, NULL, &map_error), MS_OK);
         CHECK(v[0].value >= near[0] * sure[0] - 1e-9);
     }
     free(score);
@@ -1906,6 +1955,7 @@ static const test_case cases[] = {
     {"recommend wishes", test_wishes},
     {"recommend snap", test_snap},
     {"recommend few materials", test_few_materials},
+    {"recommend many materials", test_many_materials},
     {"recommend offsets", test_offsets},
     {"recommend never nothing", test_never_nothing},
     {"recommend shares", test_shares},

@@ -642,8 +642,35 @@ static void test_failing_callback(void)
     }
 }
 
+/* Constant residuals: every start ends with its first Jacobian. */
+static ms_status plain(void *calls, const double *x, double *r, double *jacobian)
+{
+    (void)x;
+    r[0] = 1;
+    if (jacobian != NULL) jacobian[0] = 0;
+    return ++*(int *)calls > 100000 ? MS_CANCELLED : MS_OK;
+}
+
 static void test_budgets(void)
 {
+    { /* Jacobians that cost next to nothing end as well */
+        ms_pme_function f;
+        ms_pme_options options = ms_pme_defaults();
+        ms_pme_result result;
+        int calls = 0;
+        double x = 0;
+        memset(&f, 0, sizeof f);
+        f.user = &calls;
+        f.parameter_count = 1;
+        f.residual_count = 1;
+        f.residuals = plain;
+        f.jacobian_cost = 1e-300;
+        options.max_cost = 10;
+        options.restarts = INT_MAX;
+        CHECK_INT(ms_pme_minimize(&f, &options, &x, &result, NULL), MS_OK);
+        CHECK(calls >= 9990 && calls <= 10000); /* 0.001 each */
+        CHECK_INT(result.stop, MS_PME_STOP_COST);
+    }
     {
         problem p;
         ms_pme_function f = function_of(&p, 4, 6, wood);

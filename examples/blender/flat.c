@@ -81,7 +81,8 @@ FLAT int flat_gallery(const ms_gpr *taste, int m, int count, int seed, const dou
     return flat_answer(status, &error, why);
 }
 
-/* Materials whose predicted scores (mean [count]) reach tau of the best. */
+/* Materials whose predicted scores (mean [count]) reach tau of the best; while too little is known, variants of what is
+   liked. */
 FLAT int flat_recommend(const ms_gpr *taste, int count, double tau, int seed, const double *low, const double *high,
                         double *x, double *mean, char *why)
 {
@@ -155,7 +156,7 @@ FLAT int flat_match(matcher *m, const float *target, const float *weight, const 
 
 /* --- a plane of variants: liked materials [count][m] laid out so that neighbors look alike --- */
 
-/* box [4]: the least and the largest latent coordinates. */
+/* box [4]: x0, y0, x1, y1 of a square that holds the plane. */
 FLAT int flat_plane(const double *liked, int count, int m, const double *low, const double *high, ms_gpr_latent **plane,
                     double *box, char *why)
 {

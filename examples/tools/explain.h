@@ -36,6 +36,13 @@ static inline void explain_relevance(const ms_gpr *gp, double *relevance)
     }
 }
 
+/* The digits of v that tell a hundredth of the range, and whole ones: 240 of 360, 100.3 of 100 to 101. */
+static inline int explain__digits(double v, double range)
+{
+    const double size = fabs(v) > 0 ? floor(log10(fabs(v))) : 0;
+    return (int)fmax(fmax(2, fmin(size + 1, 6)), fmin(size - floor(log10(range)) + 2, 17));
+}
+
 /* How many parameters were named, at most `most`; 0 also where memory runs out. The narrowest ranges come first. space:
    what was allowed (a range that was asked for is no reason), or NULL; name [m]: NULL for x0, x1 ... */
 static inline int explain(const ms_gpr *gp, const double *x, int count, const ms_gpr_space *space,
@@ -57,12 +64,13 @@ static inline int explain(const ms_gpr *gp, const double *x, int count, const ms
     explain_relevance(gp, relevance);
     for (k = 0; k < m; ++k) largest = fmax(largest, relevance[k]);
     for (k = 0; k < m; ++k) {
-        double low = 0, high = 1, wide, a, b;
+        double low = HUGE_VAL, high = -HUGE_VAL, wide, a, b;
         if (!(relevance[k] > 0.05 * largest)) continue;
         for (i = 0; i < view.n; ++i) {
             low = fmin(low, view.x[(size_t)i * (size_t)m + (size_t)k]);
             high = fmax(high, view.x[(size_t)i * (size_t)m + (size_t)k]);
         }
+        if (low >= 0 && high <= 1) low = 0, high = 1; /* as the box of ms_gpr_space is without wishes */
         if (space && space->low && space->low[k] > -1e300) low = space->low[k];
         if (space && space->high && space->high[k] < 1e300) high = space->high[k];
         if (!(high > low)) continue;
@@ -82,15 +90,16 @@ static inline int explain(const ms_gpr *gp, const double *x, int count, const ms
     free(relevance);
     for (i = 0; i < named; ++i) {
         const int at_low = from[i] - least[i] < 0.1 * range[i], at_high = least[i] + range[i] - to[i] < 0.1 * range[i];
+        const int low_digits = explain__digits(from[i], range[i]), high_digits = explain__digits(to[i], range[i]);
         used = strlen(text);
         snprintf(text + used, size - used, "%s", i ? ", " : "liked for: ");
         used = strlen(text);
         if (name) snprintf(text + used, size - used, "%s", name[which[i]]);
         else snprintf(text + used, size - used, "x%d", which[i]);
         used = strlen(text);
-        if (at_low && !at_high) snprintf(text + used, size - used, " below %.2g", to[i]);
-        else if (at_high && !at_low) snprintf(text + used, size - used, " above %.2g", from[i]);
-        else snprintf(text + used, size - used, " %.2g to %.2g", from[i], to[i]);
+        if (at_low && !at_high) snprintf(text + used, size - used, " below %.*g", high_digits, to[i]);
+        else if (at_high && !at_low) snprintf(text + used, size - used, " above %.*g", low_digits, from[i]);
+        else snprintf(text + used, size - used, " %.*g to %.*g", low_digits, from[i], high_digits, to[i]);
     }
     return named;
 }

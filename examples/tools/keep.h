@@ -102,9 +102,10 @@ static inline const char *keep_wish(keep *k, const char *text)
         snprintf(k->problem, sizeof k->problem, "'%.60s' is neither a number nor the name of a column", value);
         return k->problem;
     }
-    if (*end == ':') k->high[column] = number_read(end + 1, '.', &end);
-    if (*end == ':') k->steps[column] = number_read(end + 1, '.', &end);
-    return *end ? wrong : NULL;
+    if (*end == ':') k->high[column] = number_read(value = end + 1, '.', &end);
+    if (*end == ':' && end > value) k->steps[column] = number_read(value = end + 1, '.', &end);
+    if (*end || end == value || !(k->low[column] < HUGE_VAL && k->high[column] > -HUGE_VAL)) return wrong;
+    return NULL;
 }
 
 /* line: of the file, where it has a problem */

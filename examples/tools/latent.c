@@ -155,7 +155,7 @@ int main(int argc, char **argv)
     if (status == MS_OK) status = map_confidence(plane, &grid, confidence, &error);
     if (status == MS_OK) status = variants_map(plane, &similarity, &coarse, similar, &error);
     if (status == MS_OK)
-        status = variants_find(plane, gp, &similarity, &grid, lambda, VARIANTS, 0, variant, NULL, &error);
+        status = variants_find(plane, gp, &similarity, &grid, lambda, VARIANTS, 0, 0.07, variant, NULL, &error);
     if (status != MS_OK) return fail(error.message);
     map_product(&grid, preference, &coarse, similar, product);
 

@@ -10,15 +10,16 @@
    RGB or with alpha (a pixel counts as much as it covers); display values in PNG, PPM and PGM, linear light in a PFM,
    which is converted. DIR holds inversion networks for first guesses, X.csv one more: the source material, or the last
    frame's answer; without either the search starts in the middle of the box. MASK: the weight of each pixel, a channel
-   each where it has color. --cost: renders to spend on the refinement. --robust: what fits badly (a logo, a stitch) counts as an outlier. --exposure, --tint: a gain of the picture, or one a channel with
-   an offset, is found along, and is not the material's. --align: the target has slipped by up to an eighth of its
-   width; it is moved back. --freeze keeps parameters as X.csv has them, --pull holds all of them to it (0.01: a change
-   by 1 costs as much as an RMSE of 0.1), --change lets none go further from it: for frames of a sequence. --view:
-   another picture of the same material, by a renderer of its own (another view, light or size), up to seven; all count
-   in one objective, without --weights, --robust, --align, --exposure and --tint. The parameters go to CSV as a line of
-   names and a row: the names of the renderer's metadata "ms_parameters" (separated by commas), else those of X.csv. The
-   PNG has gain and offset applied. The last line but two says how good the match is; the exit code is 3, with all files
-   written, where the renderer can draw nothing like the picture, or nothing nearer than one color. */
+   each where it has color. --cost: renders to spend on the refinement. --robust: what fits badly (a logo, a stitch)
+   counts as an outlier. --exposure, --tint: a gain of the picture, or one a channel with an offset, is found along, and
+   is not the material's. --align: the target has slipped by up to an eighth of its width; it is moved back. --freeze
+   keeps parameters as X.csv has them, --pull holds all of them to it (0.01: a change by 1 costs as much as an RMSE of
+   0.1), --change lets none go further from it: for frames of a sequence. --view: another picture of the same material,
+   by a renderer of its own (another view, light or size), up to seven; all count in one objective, without --weights,
+   --robust, --align, --exposure and --tint. The parameters go to CSV as a line of names and a row: the names of the
+   renderer's metadata "ms_parameters" (separated by commas), else those of X.csv. The PNG has gain and offset applied.
+   The line "verdict:" says how good the match is; the exit code is 3, with all files written, where the renderer can
+   draw nothing like the picture, or nothing nearer than one color. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #define MS_PME_IMPLEMENTATION
@@ -40,7 +41,7 @@ static int fail(const char *path, const char *what)
     return 1;
 }
 
-/* A number in (low, 1e9], the whole word; 0: it is none. */
+/* A number from low to 1e9, the whole word; 0: it is none. */
 static int number(const char *text, double low, double *value)
 {
     char *end;

@@ -36,12 +36,14 @@ static int misused(const char *option, const char *value, const char *expected)
     return file_usage(usage);
 }
 
-/* The value behind an option; ends the program where it is no number from low to high. */
-static double number(char **option, double low, double high, const char *expected)
+/* The value behind an option; ends the program where it is no number from low to high, or is to be a whole one and is
+   not. */
+static double number(char **option, double low, double high, int whole, const char *expected)
 {
     char *end;
     double v = number_read(option[1], '.', &end);
-    if (end == option[1] || *end || !(v >= low && v <= high)) exit(misused(option[0], option[1], expected));
+    if (end == option[1] || *end || !(v >= low && v <= high) || (whole && v > floor(v)))
+        exit(misused(option[0], option[1], expected));
     return v;
 }
 
@@ -201,20 +203,19 @@ int main(int argc, char **argv)
         else if (i + 1 == argc) return misused(argv[i], "", "a value behind it");
         else if (strcmp(argv[i], "--pairs") == 0) compared = argv[++i];
         else if (strcmp(argv[i], "--count") == 0)
-            count = number(argv + i++, 1, 1e6, "a whole number from 1 to 1000000");
+            count = number(argv + i++, 1, 1e6, 1, "a whole number from 1 to 1000000");
         else if (strcmp(argv[i], "--skip") == 0)
-            skip = (int)number(argv + i++, 0, 1e6, "a whole number from 0 to 1000000");
+            skip = (int)number(argv + i++, 0, 1e6, 1, "a whole number from 0 to 1000000");
         else if (strcmp(argv[i], "--tau") == 0)
-            options.tau = number(argv + i++, 1e-6, 1, "a number above 0, at most 1");
+            options.tau = number(argv + i++, 1e-300, 1, 0, "a number above 0, at most 1");
         else if (strcmp(argv[i], "--seed") == 0)
-            options.seed = (uint64_t)number(argv + i++, 0, 9007199254740992.0, "a whole number of at least 0");
+            options.seed = (uint64_t)number(argv + i++, 0, 9007199254740992.0, 1, "a whole number from 0 to 2^53");
         else if (strcmp(argv[i], "--out") == 0) out = argv[++i];
         else if (strcmp(argv[i], "--avoid") == 0) avoided = argv[++i];
         else if (strcmp(argv[i], "--keep") == 0 || strcmp(argv[i], "--list") == 0) ++i; /* once there are parameters */
         else return misused(argv[i], "", "one of the options below");
     }
     if (in == NULL) return file_usage(usage);
-    if (count > floor(count)) return misused("--count", "of a fraction", "a whole number from 1 to 1000000");
     problem = compared ? scores_read_some(in, &s) : scores_read(in, &s);
     if (problem) return failed(in, problem, s.line);
     if (compared && (learn.choices.count = read_pairs(compared, s.n, &pairs, &problem, &line)) < 0)

@@ -332,7 +332,8 @@ static inline ms_status studio_better(studio *s, const double *a, const double *
     return status;
 }
 
-/* More like these, x [count][m]: each is preferred to materials that are spread evenly over all there are. */
+/* More like these, x [count][m]: each is preferred to materials that are spread evenly over all that are kept, [0, 1]
+   without wishes. */
 static inline ms_status studio_like(studio *s, const double *x, int count, ms_error *error)
 {
     size_t m = (size_t)s->renderer.parameters;
@@ -344,6 +345,7 @@ static inline ms_status studio_like(studio *s, const double *x, int count, ms_er
         ms_gpr *nothing; /* a model that knows nothing spreads its galleries */
         memset(&options, 0, sizeof options);
         options.seed = ~(uint64_t)0; /* not what a first gallery shows */
+        options.space = s->space;
         s->others = (double *)malloc(STUDIO_OTHERS * m * sizeof *s->others);
         if (s->others == NULL) return studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a comparison");
         status = ms_gpr_fit(NULL, NULL, 0, s->renderer.parameters, NULL, &nothing, NULL, error);
@@ -493,6 +495,9 @@ static inline ms_status studio_keep(studio *s, const space_wish *wish, ms_error 
         s->kept = old;
         s->space = before;
         old = fresh;
+    } else {
+        free(s->others); /* likes that follow are compared with what is kept now */
+        s->others = NULL;
     }
     if (old) space_free(old);
     free(old);
@@ -545,7 +550,8 @@ static inline int studio_wants_picks(const ms_gpr *gp)
     return confirmed < 3;
 }
 
-/* x [count][m] and their pictures, planes [count][values] (NULL: none). Other ones at every call. */
+/* x [count][m] and their pictures, planes [count][values] (NULL: none). Other ones at every call. MS_NOT_CONVERGED:
+   there are but s->found.found of them. */
 static inline ms_status studio_recommend(studio *s, int count, double *x, float *planes, ms_error *error)
 {
     ms_gpr_recommend_options options;
@@ -557,8 +563,9 @@ static inline ms_status studio_recommend(studio *s, int count, double *x, float 
     options.space = s->space;
     options.avoid = s->avoid;
     options.avoid_count = s->avoids;
+    s->found.found = 0;
     status = ms_gpr_recommend(s->gp, &options, count, x, NULL, NULL, &s->found, error);
-    for (i = 0; i < count && planes && status == MS_OK; ++i)
+    for (i = 0; i < s->found.found && planes; ++i)
         studio__draw(s, x + i * s->renderer.parameters, planes + (size_t)i * s->renderer.values);
     return status;
 }
@@ -848,6 +855,7 @@ static inline ms_status studio__parse(studio *s, char *text, ms_error *error)
         wish.lists = list, wish.list_count = lists;
         if (status == MS_OK && (kept[0] || equal || lists)) status = studio_keep(s, &wish, error);
     }
+    if (status == MS_OK && s->settled) s->outlier = warnings_judge(s->gp, &s->explained);
     if (status == MS_OK && s->embedded) status = studio__embed(s, s->embedded, s->embedded_count, error);
     for (i = 0; i < lists && list; ++i) free((void *)(uintptr_t)list[i].columns), free((void *)(uintptr_t)list[i].rows);
     free(theta), free(x), free(y), free(sizes), free(rows), free(undo), free(equal), free(list);

@@ -11,7 +11,7 @@
      recommended.csv   300 materials with predicted score and its standard deviation
      chosen.csv        the chosen material, its 7 variants, and the one matched to the edited picture
      workflow.mtlx     all of these as MaterialX (see materialx.h)
-     workflow.png      the gallery, bright as it was scored | 300 recommendations | the plane: preference, similarity,
+     workflow.png      120 of the gallery with their scores | 100 recommendations | the plane: preference, similarity,
                        product; the chosen material and its variants | chosen, edited, first guess, match, difference x
                        8, and a walk through the plane
      times.md          what each stage took, beside the thesis's Table 3.3 */
@@ -184,17 +184,26 @@ static ms_status color_similarity(flow *f)
     return status;
 }
 
-/* Section 3.7: from most similar to best liked. */
+/* Section 3.7: from most similar to least, which are liked best; no two look alike. */
 static ms_status vary(flow *f)
 {
     variant_similarity similarity = to_the_chosen(f);
-    double lambda[VARIANTS];
+    double lambda[VARIANTS], row[M];
     ms_status status;
-    int i;
+    int i, k;
     for (i = 0; i < VARIANTS; ++i)
         lambda[i] = 0.7 * pow(1 - (i + 0.5) / (int)VARIANTS, 2); /* beyond 0.5 little changes */
-    status = variants_find(f->plane, f->gp, &similarity, &f->coarse, lambda, VARIANTS, 0, f->variant, f->variants,
+    status = variants_find(f->plane, f->gp, &similarity, &f->coarse, lambda, VARIANTS, 0, 0.07, f->variant, f->variants,
                            &f->error);
+    for (i = 1; i < VARIANTS && status == MS_OK; ++i)
+        for (k = i; k > 0 && f->variant[k].similarity > f->variant[k - 1].similarity; --k) {
+            const variant_found better = f->variant[k];
+            f->variant[k] = f->variant[k - 1];
+            f->variant[k - 1] = better;
+            memcpy(row, f->variants + k * M, sizeof row);
+            memcpy(f->variants + k * M, f->variants + (k - 1) * M, sizeof row);
+            memcpy(f->variants + (k - 1) * M, row, sizeof row);
+        }
     for (i = 0; i < VARIANTS * M && status == MS_OK; ++i) f->variants[i] = fmin(fmax(f->variants[i], 0), 1);
     return status;
 }
@@ -360,8 +369,10 @@ int main(int argc, char **argv)
         else if (strcmp(argv[i], "--networks") == 0) networks = argv[++i];
         else if (strcmp(argv[i], "--seed") == 0) {
             char *end;
-            f->seed = (uint64_t)strtoul(argv[++i], &end, 10);
-            if (end == argv[i] || *end) return misused("--seed", argv[i], "a whole number of at least 0");
+            const double seed = number_read(argv[++i], '.', &end);
+            if (end == argv[i] || *end || !(seed >= 0 && seed <= 9007199254740992.0) || seed > floor(seed))
+                return misused("--seed", argv[i], "a whole number from 0 to 2^53");
+            f->seed = (uint64_t)seed;
         } else if (strcmp(argv[i], "--taste") == 0) {
             for (f->user = tastes, ++i; f->user < tastes + 3 && strcmp(f->user->name, argv[i]) != 0; ++f->user) {}
             if (f->user == tastes + 3) return misused("--taste", argv[i], "metal, glass or jade");
@@ -410,7 +421,7 @@ int main(int argc, char **argv)
     report(times.f, f, calls);
     if ((problem = file_finish(&times, 1)) != NULL) return fail(path, problem);
 
-    if (file) printf("%d scores of %s.\n", f->n, file);
+    if (file) printf("%d score%s of %s.\n", f->n, f->n == 1 ? "" : "s", file);
     else
         printf("%d scores of a user who likes %s. Mean score of %d random materials: %.1f; "
                "of the recommended ones: %.1f.\n",

@@ -402,9 +402,114 @@ static void family_planes(void)
     ms_gpr_latent_destroy(plane);
 }
 
+/* --- what a tool's users do: choices that contradict each other, boxes open on some sides, few allowed materials, every
+   search, a start, planes in a box --- */
+
+static void draw_contradictions(taste *t)
+{
+    int order[ROWS], i, j, at = 0;
+    for (i = 0; i < t->n; ++i) order[i] = i;
+    t->choices.count = attack_index(CHOICES / 2);
+    for (i = 0; i < t->choices.count; ++i) {
+        t->sizes[i] = 2 + attack_index(t->n < 8 ? t->n - 1 : 7);
+        for (j = 0; j < t->sizes[i]; ++j) { /* different rows */
+            const int from = j + attack_index(t->n - j), row = order[from];
+            order[from] = order[j];
+            t->rows[at++] = order[j] = row;
+        }
+    }
+    t->choices.rows = t->rows;
+    t->choices.sizes = t->sizes;
+}
+
+static int stop_after(void *left, double fraction)
+{
+    if (!(fraction >= 0 && fraction <= 1)) attack_fail("progress of %g", fraction);
+    return --*(int *)left < 0;
+}
+
+static void family_users(void)
+{
+    static taste t;
+    ms_gpr_fit_options f;
+    ms_gpr_fit_report report;
+    ms_gpr_recommend_options o;
+    ms_gpr_recommend_report r;
+    ms_gpr_latent_options l;
+    ms_gpr_latent *plane = NULL;
+    ms_gpr *gp = NULL;
+    ms_error error = attack_no_error();
+    ms_status status;
+    steps grid;
+    double low[COLUMNS], high[COLUMNS], start[COLUMNS + 2], x[COUNT * COLUMNS], mean[COUNT], at[2 * COUNT], all = 1;
+    int left = attack_one_in(6) ? attack_index(40) : 1000000, i, k;
+    const int count = (int)attack_int(1, COUNT), few = attack_one_in(2);
+    draw_taste(&t);
+    if (t.n < 2) return;
+    draw_contradictions(&t);
+    memset(&f, 0, sizeof f);
+    f.choices = t.choices;
+    f.evaluations = (int)attack_int(1, 40);
+    f.progress.report = stop_after;
+    f.progress.user = &left;
+    f.allocator = attack_allocator((size_t)1 << 28);
+    for (k = 0; k < t.m + 2; ++k) start[k] = attack_linear(-20, 20);
+    if (attack_one_in(2)) f.start = start;
+    status = ms_gpr_fit(t.x, t.y, t.n, t.m, &f, &gp, &report, &error);
+    if (status != MS_OK) {
+        attack_check_error(status, &error);
+        ATTACK_CHECK(status == MS_OUT_OF_MEMORY || status == MS_NOT_CONVERGED || (status == MS_CANCELLED && left < 0),
+                     "a valid taste is refused: %s", error.message);
+        return;
+    }
+    ATTACK_CHECK(report.evaluations <= 3 * f.evaluations + 60, "more evaluations than asked for: %d of %d",
+                 report.evaluations, f.evaluations);
+
+    /* a box that is open in some columns; or a few steps in every column, which can be counted */
+    memset(&o, 0, sizeof o);
+    memset(&grid, 0, sizeof grid);
+    grid.m = t.m;
+    for (k = 0; k < t.m; ++k) {
+        low[k] = t.offset[k];
+        high[k] = attack_one_in(3) ? low[k] : low[k] + t.unit[k];
+        grid.from[k] = low[k], grid.high[k] = high[k];
+        grid.step[k] = few ? t.unit[k] / 2 : 0;
+        if (few && high[k] > low[k]) all *= 3;
+        if (!few && attack_one_in(3)) low[k] = -HUGE_VAL;
+        if (!few && attack_one_in(3)) high[k] = HUGE_VAL;
+    }
+    o.space.low = low, o.space.high = high;
+    if (few) o.space.snap = snap, o.space.user = &grid;
+    o.search = (ms_gpr_search)attack_index(3);
+    o.seed = attack_draw();
+    attack_say("choices %d, %d materials of %.0f, search %d", t.choices.count, count, few ? all : HUGE_VAL, o.search);
+    status = ms_gpr_recommend(gp, &o, count, x, mean, NULL, &r, &error);
+    if (status == MS_OK || status == MS_NOT_CONVERGED) {
+        ATTACK_CHECK(r.found <= all || !few, "more than there are: %d of %.0f", r.found, all);
+        if (few) check_materials(&t, &o.space, x, r.found, 0);
+        if (few && status == MS_NOT_CONVERGED && r.search == MS_GPR_SEARCH_VARIANTS && all <= 9)
+            ATTACK_CHECK(r.found == (int)all, "fewer than there are: %d of %.0f", r.found, all);
+        if (r.search == MS_GPR_SEARCH_THRESHOLD)
+            for (i = 0; i < r.found; ++i)
+                ATTACK_CHECK(mean[i] >= r.threshold - 1e-9 * (fabs(r.threshold) + fabs(r.best)),
+                             "below the threshold: %.9g of %.9g", mean[i], r.threshold);
+    } else attack_check_error(status, &error);
+    ms_gpr_destroy(gp);
+
+    memset(&l, 0, sizeof l);
+    l.space = o.space;
+    l.allocator = attack_allocator((size_t)1 << 28);
+    if (ms_gpr_latent_fit(t.x, t.n, t.m, &l, &plane, NULL, &error) != MS_OK) return;
+    for (i = 0; i < 2 * COUNT; ++i) at[i] = attack_linear(-5, 5);
+    status = ms_gpr_latent_map(plane, at, COUNT, x, NULL, &error);
+    if (few && status == MS_OK)
+        for (i = 0; i < COUNT; ++i) check_materials(&t, &l.space, x + i * t.m, 1, 1);
+    ms_gpr_latent_destroy(plane);
+}
+
 int main(int argc, char **argv)
 {
     static const attack_family families[] = {
-        {"models", family_models}, {"materials", family_materials}, {"planes", family_planes}};
+        {"models", family_models}, {"materials", family_materials}, {"planes", family_planes}, {"users", family_users}};
     return attack_main(argc, argv, families, (int)(sizeof families / sizeof *families));
 }

@@ -41,8 +41,14 @@ class _Owner:
 
 
 def _box(m, low, high):
-    low = np.zeros(m) if low is None else _array(low)
-    return low, np.ones(m) if high is None else _array(high)
+    """[m] each, or one number for all: [0, 1] for None."""
+    return [_sized(end if given is None else given, m, "the box") for end, given in enumerate((low, high))]
+
+
+def _sized(a, m, what):
+    if np.ndim(a) and np.shape(a) != (m,):
+        raise RuntimeError("%s has %s numbers, a material has %d" % (what, " x ".join(map(str, np.shape(a))), m))
+    return _array(np.broadcast_to(a, m))
 
 
 class Taste(_Owner):
@@ -67,7 +73,8 @@ class Taste(_Owner):
         return mean, np.sqrt(variance)
 
     def recommend(self, count, quality=0.6, seed=1, low=None, high=None):
-        """Materials whose predicted scores reach `quality` of the best, and these scores."""
+        """Materials whose predicted scores reach `quality` of the best (while too little is known: variants of what is
+        liked), and these scores."""
         x, mean = np.empty((count, self.m)), np.empty(count)
         box = _box(self.m, low, high)
         _call("recommend", self.handle, count, float(quality), seed, *box, x, mean)
@@ -76,6 +83,8 @@ class Taste(_Owner):
 
 def gallery(taste, m, count, seed=1, low=None, high=None):
     """Materials of m parameters to be scored next; taste None: the first."""
+    if taste and taste.m != m:
+        raise RuntimeError("materials of %d parameters, the taste has %d" % (m, taste.m))
     x = np.empty((count, m))
     _call("gallery", taste.handle if taste else None, m, count, seed, *_box(m, low, high), x)
     return x
@@ -108,7 +117,7 @@ class Renderer(_Owner):
             raise RuntimeError("a picture of %d x %d pixels and three channels is wanted" % (self.size, self.size))
         target = _array(np.moveaxis(picture, 2, 0), np.float32)
         x, found, rmse = np.empty(self.m), np.empty_like(target), ctypes.c_double()
-        source = None if source is None else _array(source)
+        source = None if source is None else _sized(source, self.m, "the source")
         box = _box(self.m, low, high)
         _call("match", self.handle, target, None, source, *box, x, found, ctypes.byref(rmse))
         return x, np.moveaxis(found, 0, 2).clip(0, 1), rmse.value
@@ -126,6 +135,8 @@ class Plane(_Owner):
     def materials(self, at):
         """Materials at points [count, 2] of the plane."""
         at = np.atleast_2d(_array(at))
+        if at.shape[1] != 2:
+            raise RuntimeError("points of %d coordinates, a plane has 2" % at.shape[1])
         x = np.empty((len(at), self.m))
         _call("plane_map", self.handle, at, len(at), x)
         return x
