@@ -462,9 +462,13 @@ static inline ms_status mci_layered(const ms_mcml_tissue *tissue, const ms_mcml_
                *a = one ? r + 4 * nr : NULL, *a_error = one ? a + 1 : NULL;
         block += (2 + 2 * one) * nr + 2 * one;
         for (i = 0; i < grid->nr; ++i) {
-            const double r0 = i * dr, area = 3.14159265358979324 * (2 * i + 1) * dr * dr;
+            const double r0 = i * dr;
             r[i] = ms_mcml_layered_ring(s, side, r0, r0 + dr, &r_error[i]);
-            if (i + 1 == grid->nr) r[i] = ms_mcml_layered_outside(s, side, r0) / area;
+            if (i + 1 == grid->nr) { /* the energy beyond r0, as if it were all in this ring */
+                const double scale = 1e100 / dr / (2 * i + 1) * (1e100 / dr);
+                r[i] = scale * ms_mcml_layered_ring(s, side, r0, 1e100, &r_error[i]);
+                r_error[i] *= scale;
+            }
             if (one) ra[i] = r[i] / (solid * cosine), ra_error[i] = r_error[i] / (solid * cosine);
         }
         if (one) a[0] = (side ? s->tt : s->rd) / solid, a_error[0] = (side ? s->tt_error : s->rd_error) / solid;
