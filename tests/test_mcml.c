@@ -562,10 +562,12 @@ static void splits_and_threads(void)
             ms_mcml *part = tally_of(&o, cuts[i], cuts[i + 1] - cuts[i]), *again = tally_of(&o, 0, 0);
             const tally_run run_of = two_layer_run(o.seed);
             size_t size;
-            unsigned char *bytes = tally_pack(part, &run_of, &size);
-            CHECK_INT(tally_add(again, &run_of, bytes, size, &e), MS_OK);
+            unsigned char *bytes = tally_pack(part, &run_of, cuts[i], &size);
+            uint64_t first = 7;
+            CHECK_INT(tally_add(again, &run_of, bytes, size, NULL, &e), MS_OK);
             CHECK(same_bits(part, again));
-            CHECK_INT(tally_add(sum, &run_of, bytes, size, &e), MS_OK);
+            CHECK_INT(tally_add(sum, &run_of, bytes, size, &first, &e), MS_OK);
+            CHECK_INT(first, cuts[i]);
             free(bytes);
             ms_mcml_destroy(part);
             ms_mcml_destroy(again);
@@ -670,18 +672,19 @@ static void damaged_shares(void)
     ms_mcml_options o = options_of(0);
     ms_mcml *a = tally_of(&o, 0, 100), *b = tally_of(&o, 0, 0), *empty = tally_of(&o, 0, 0);
     const tally_run run_of = two_layer_run(o.seed), other = two_layer_run(o.seed + 1);
-    const size_t head = tally_head_size(&run_of);
+    const size_t head = tally_head_size(&run_of) + 16; /* with the first photon */
+    uint64_t first = 7;
     size_t size, i;
-    unsigned char *bytes = tally_pack(a, &run_of, &size), *longer;
+    unsigned char *bytes = tally_pack(a, &run_of, 0, &size), *longer;
     ms_error e;
     long refused = 0;
-    CHECK_INT(tally_add(b, &other, bytes, size, &e), MS_BAD_DATA);
+    CHECK_INT(tally_add(b, &other, bytes, size, &first, &e), MS_BAD_DATA);
     CHECK(strstr(e.message, "another") != NULL);
     for (i = 0; i < head + 400; ++i) {
         ms_mcml *c = tally_of(&o, 0, 0);
         ms_status status;
         bytes[i] ^= (unsigned char)(1u << (i * 7 % 8));
-        status = tally_add(c, &run_of, bytes, size, &e);
+        status = tally_add(c, &run_of, bytes, size, NULL, &e);
         if (i < head || status != MS_OK) CHECK_INT(status, MS_BAD_DATA);
         if (status == MS_OK) {
             ms_mcml_result r;
@@ -694,12 +697,12 @@ static void damaged_shares(void)
         ms_mcml_destroy(c);
         bytes[i] ^= (unsigned char)(1u << (i * 7 % 8));
     }
-    for (i = 0; i < size; i += i < 300 ? 1 : 97) CHECK_INT(tally_add(b, &run_of, bytes, i, &e), MS_BAD_DATA);
+    for (i = 0; i < size; i += i < 300 ? 1 : 97) CHECK_INT(tally_add(b, &run_of, bytes, i, &first, &e), MS_BAD_DATA);
     longer = (unsigned char *)calloc(size + 8, 1);
     memcpy(longer, bytes, size);
-    for (i = 1; i <= 8; ++i) CHECK_INT(tally_add(b, &run_of, longer, size + i, &e), MS_BAD_DATA);
-    CHECK(same_bits(b, empty));
-    CHECK_INT(tally_add(b, &run_of, bytes, size, NULL), MS_OK);
+    for (i = 1; i <= 8; ++i) CHECK_INT(tally_add(b, &run_of, longer, size + i, &first, &e), MS_BAD_DATA);
+    CHECK(same_bits(b, empty) && first == 7);
+    CHECK_INT(tally_add(b, &run_of, bytes, size, NULL, NULL), MS_OK);
     CHECK(same_bits(a, b));
     TEST_NOTE("%ld of %ld changed bytes refused", refused, (long)head + 400);
     free(longer);
