@@ -723,8 +723,8 @@ static inline void layered__collect(layered__solver *s, const layered__ray *ray)
         double *row = s->exchange + (size_t)i * room;
         const double *tr = s->in[0] + layer, *ti = s->in[1] + layer, *br = s->in[2] + layer, *bi = s->in[3] + layer;
         if (!(ray->mu[s->f[i].layer] > 0)) continue;
-#if defined(__GNUC__) || defined(__clang__)
-        for (j = 0; j <= i; j += 4) { /* a row has room for whole vectors */
+#if defined(__GNUC__) && __FLT_EVAL_METHOD__ != 2 /* x87's products are long doubles, which have no vectors */
+        for (j = 0; j <= i; j += 4) {             /* a row has room for whole vectors */
             typedef double four __attribute__((vector_size(32), aligned(8), may_alias));
             *(four *)(row + j) += ur * *(const four *)(tr + j) - ui * *(const four *)(ti + j) +
                 dr * *(const four *)(br + j) - di * *(const four *)(bi + j);
