@@ -136,6 +136,8 @@ MCI
     is "and it alone is not written" "$(cd "$out/mcml" && ls *.mco)" "a.mco"
     is "what is not computed is nan" "$(grep -c '^ *nan' "$out/mcml/a.mco")" 180
     refuses "photons without noise" "usage" build/mcml --exact -n 5 "$out/mcml/two.mci"
+    sed 's/^b.mco/own.mci/' "$out/mcml/two.mci" >"$out/mcml/own.mci"
+    refuses "an output over the input" "line 11" sh -c "cd '$out/mcml' && '$root/build/mcml' own.mci"
     refuses "a share that is no number" "usage" build/mcml --run "$out/mcml/two.mci" 1x 2 "$out/mcml/1.tally"
     refuses "a seed beyond 2^64" "usage" build/mcml -s 18446744073709551616 "$out/mcml/two.mci"
     for share in 1 2; do build/mcml --run "$out/mcml/two.mci" $share 2 "$out/mcml/$share.tally"; done
