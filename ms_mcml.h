@@ -209,8 +209,8 @@ typedef struct ms_mcml_layer {
     double n;            /* refractive index, 0.01 to 100 */
     double mu_a_per_cm;  /* absorption, 0 to 1e9 */
     double mu_s_per_cm;  /* scattering, 0 to 1e9 */
-    double g;            /* mean cosine of Henyey-Greenstein scattering, -1 < g <= 1 */
-    double thickness_cm; /* > 0 */
+    double g;            /* mean cosine of Henyey-Greenstein scattering, -1 < g <= 1; what a float rounds to 1 is 1 */
+    double thickness_cm; /* > 0; above 1e18 it counts as 1e18 */
 } ms_mcml_layer;
 
 /* Layers from the top, where a pencil beam enters at r = z = 0 along +z, down. */
@@ -234,7 +234,7 @@ typedef struct ms_mcml_options {
     double roulette_weight; /* photons of less weight play roulette, at most 1; 0: 0.01 times the least albedo of a
                                layer that scatters, but at least MCML's 1e-4. Less: deep absorption with less noise */
     int no_absorption;      /* not 0: neither A_rz nor A_z, which saves time and memory; A_l remains */
-    size_t memory_limit;    /* bytes that tallies may take, where grids come from files; 0: 4 GiB */
+    size_t memory_limit;    /* bytes that tallies may take, where grids come from files; 0: 4 GiB, 32 bits: 2 */
     ms_simd simd;           /* a cap, to compare levels */
     ms_parallel parallel;   /* at most 16 tasks, each with its own tally */
     ms_progress progress;   /* called with 0, then every few ms (with parallel, 16 times that over the threads), and
@@ -262,7 +262,8 @@ MS_API ms_status ms_mcml_create(const ms_mcml_tissue *tissue, const ms_mcml_grid
 MS_API void ms_mcml_destroy(ms_mcml *tally);
 
 /* Adds the photons first to first + count - 1 of the seed. Never run a photon twice.
-   MS_INVALID_ARGUMENT: more than 2^32 photons in the tally. MS_CANCELLED, MS_OUT_OF_MEMORY. Nothing was added then. */
+   MS_INVALID_ARGUMENT: more than 2^32 photons in the tally, first + count of 2^64 and more. MS_CANCELLED,
+   MS_OUT_OF_MEMORY. Nothing was added then. */
 MS_API ms_status ms_mcml_run(ms_mcml *tally, uint64_t first, uint64_t count, ms_error *error);
 
 /* Photons in the tally. */
@@ -366,9 +367,9 @@ MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int k
 /* ---- diffusion profiles ---------------------------------------------------------------------------------------- */
 
 typedef struct ms_mcml_profile_options {
-    const double *edge_mm; /* [rings + 1] increasing, from >= 0; NULL: rings of equal width ring_mm from 0 */
+    const double *edge_mm; /* [rings + 1] increasing, 0 or 1e-100 to 1e100; NULL: rings of equal width from 0 */
     int rings;             /* 0 (with edge_mm NULL): rings that suit the media, see ms_mcml_profile_make */
-    double ring_mm;
+    double ring_mm;        /* their width, 1e-100 to 1e100 */
     double depth_step;     /* log spacing of the exponentials in depth, 0.28 to 1; 0: 0.3. With frequency_step it trades
                               time for error: tests/bench/RESULTS.md has the table */
     double frequency_step; /* log spacing of the spatial frequencies, 0.2 to 1; 0: 0.25 */
@@ -716,10 +717,9 @@ enum {
 typedef struct ms_mcml__slab {
     float depth;                   /* thickness */
     float top;                     /* z of its upper side */
-    float mfp;                     /* 1 / (mu_a + mu_s); clear: beyond every boundary */
+    float mfp;                     /* 1 / (mu_a + mu_s), at most 1e36 */
     float absorbed;                /* mu_a / (mu_a + mu_s) */
     float g, ratio_up, ratio_down; /* ratio: n over n of the neighbor */
-    int clear;
 } ms_mcml__slab;
 
 /* Offsets into the sums of a tally; S: the sum of weights, Q: of their squares. */
@@ -932,21 +932,21 @@ static void ms_mcml__prepare(ms_mcml *m)
     int i;
     m->first_layer = m->tissue.layer_count;
     for (i = 0; i < m->tissue.layer_count; ++i) {
-        const double mu_s = layer[i].g < 1 ? layer[i].mu_s_per_cm : 0, mu_t = layer[i].mu_a_per_cm + mu_s;
+        const double mu_s = (float)layer[i].g < 1.0f ? layer[i].mu_s_per_cm : 0, mu_t = layer[i].mu_a_per_cm + mu_s;
+        const double depth = fmin(layer[i].thickness_cm, 1e18); /* the shortest way across in the clear is 3e19 */
         const double above = i > 0 ? layer[i - 1].n : m->tissue.n_above;
         const double below = i + 1 < m->tissue.layer_count ? layer[i + 1].n : m->tissue.n_below;
         ms_mcml__slab *slab = &m->slab[i];
-        slab->clear = !(mu_t > 0);
-        slab->depth = (float)(layer[i].thickness_cm < 1e12 ? layer[i].thickness_cm : 1e12);
+        slab->depth = (float)depth;
         slab->top = (float)top;
-        slab->mfp = slab->clear ? 1e30f : (float)(mu_t > 1e-12 ? 1 / mu_t : 1e12);
-        slab->absorbed = slab->clear ? 0.0f : (float)(layer[i].mu_a_per_cm / mu_t);
+        slab->mfp = (float)(mu_t > 1e-36 ? 1 / mu_t : 1e36);
+        slab->absorbed = mu_t > 0 ? (float)(layer[i].mu_a_per_cm / mu_t) : 0.0f;
         slab->g = mu_s > 0 ? (float)layer[i].g : 0.0f;
         slab->ratio_up = (float)(layer[i].n / above);
         slab->ratio_down = (float)(layer[i].n / below);
-        if (!slab->clear && i < m->first_layer) m->first_layer = i;
+        if (mu_t > 0 && i < m->first_layer) m->first_layer = i;
         if (mu_s > 0 && mu_s < albedo * mu_t) albedo = mu_s / mu_t;
-        top += layer[i].thickness_cm;
+        top += depth;
     }
     m->specular = ms_mcml__specular(&m->tissue, m->first_layer);
     /* One collision in a dark layer must not make a photon that still matters play. */
@@ -1102,7 +1102,7 @@ MS_API ms_status ms_mcml_run(ms_mcml *m, uint64_t first, uint64_t count, ms_erro
     if (m == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tally is NULL");
     if (count > ms_mcml__photons_max || m->photons > ms_mcml__photons_max - count)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "more than 2^32 photons in one tally");
-    if (end < first) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the last photon's index is above 2^64");
+    if (end < first) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "first + count is 2^64 or more");
     if (count == 0) return MS_OK;
 
     /* One block: the tracers, and behind them their sums. */
@@ -1733,11 +1733,12 @@ enum { MS_MCML__SOLVE_DOUBLES = (int)MS_MCML__FIT_DOUBLES + (int)MS_MCML__TRIANG
 
 /* Part of the entering light that leaves after two collisions and more. single: the part that leaves after one. Between
    two meetings with the boundary, which may hold most of it back, a part in proportion to nu = sqrt(3 (1 - albedo)) is
-   absorbed: for a slow decay lost / left is that of t times nu / t, since the albedo's rounding would be felt. */
+   absorbed: for a slow decay lost / left is that of t times nu / t, since the albedo's rounding would be felt. Below
+   t = 4e-6 that is 1.5 2^-54 / t^2 of `lost`, more than the law leaves out, at most 1.25 t. */
 static double ms_mcml__multiple_total(const ms_mcml__cone *cone, double albedo, double nu, double depth_step,
                                       double entering, double single, double *work)
 {
-    const double t = nu > 4e-6 ? nu : 4e-6;
+    const double t = fmax(nu, 4e-6);
     const double multiple = entering * ms_mcml__multiple(cone, nu < t ? 1 - t * t / 3 : albedo, 0, t, depth_step, work);
     const double left = single + multiple, lost = (entering - left) * (nu / t);
     return nu < t ? entering * left / (left + lost) - single : multiple;
@@ -1957,11 +1958,11 @@ static ms_status ms_mcml__check_rings(const ms_mcml_profile_options *o, ms_error
     if (o->rings < 1 || o->rings > 1 << 24)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rings is %d, expected 1 to %d", o->rings, 1 << 24);
     for (i = 0; edge && i <= o->rings; ++i)
-        if (!ms_mcml__between(edge[i], 0, 1e100) || (i > 0 && !(edge[i] > edge[i - 1])))
+        if (!ms_mcml__between(edge[i], i ? 1e-100 : 0, 1e100) || (i > 0 && !(edge[i] > edge[i - 1])))
             return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
-                            "ring edge %d is %g, expected increasing numbers from 0 to 1e100", i, edge[i]);
-    if (edge == NULL && !(o->ring_mm > 0 && ms_mcml__between(o->ring_mm, 0, 1e100)))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "ring_mm is %g, expected above 0 and at most 1e100", o->ring_mm);
+                            "ring edge %d is %g, expected increasing numbers, 0 or 1e-100 to 1e100", i, edge[i]);
+    if (edge == NULL && !ms_mcml__between(o->ring_mm, 1e-100, 1e100))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "ring_mm is %g, expected 1e-100 to 1e100", o->ring_mm);
     return MS_OK;
 }
 

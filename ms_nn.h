@@ -1994,10 +1994,12 @@ static MS_NN__COLD ms_status ms_nn__tensor(const ms_nn *nn, const char *layer, c
     int d;
     if (t == NULL) return required ? ms__fail(error, MS_BAD_DATA, 0, "there is no tensor '%s'", name) : MS_OK;
     if (t->rank != rank) return ms__fail(error, MS_BAD_DATA, 0, "not of %d dimensions: the tensor '%s'", rank, name);
-    for (d = 0; d < rank; ++d)
-        if (t->shape[d] == 0 || (shape[d] != 0 && t->shape[d] != shape[d]))
-            return ms__fail(error, MS_BAD_DATA, 0, "the layer list makes dimension %d %z, it is %z: the tensor '%s'", d,
-                            shape[d], t->shape[d], name);
+    for (d = 0; d < rank; ++d) {
+        if (shape[d] != 0 && t->shape[d] != shape[d])
+            return ms__fail(error, MS_BAD_DATA, 0, "dimension %d is %z, the layer list makes it %z: the tensor '%s'", d,
+                            t->shape[d], shape[d], name);
+        if (t->shape[d] == 0) return ms__fail(error, MS_BAD_DATA, 0, "dimension %d is 0: the tensor '%s'", d, name);
+    }
     return MS_OK;
 }
 
@@ -2226,6 +2228,7 @@ static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, const ms_nn__spe
         if (padded < kernel)
             return ms__fail(error, MS_BAD_DATA, 0, "its kernel has %z, its input only %z", kernel, padded);
         out[d] = (padded - kernel) / v.stride[d] + 1;
+        if (out[d] == 1) v.stride[d] = 1; /* no step is taken, and room for one is not needed */
     }
     dims.c = shape[0];
     dims.h = out[0];

@@ -136,6 +136,15 @@ MCI
     is "and it alone is not written" "$(cd "$out/mcml" && ls *.mco)" "a.mco"
     is "what is not computed is nan" "$(grep -c '^ *nan' "$out/mcml/a.mco")" 180
     refuses "photons without noise" "usage" build/mcml --exact -n 5 "$out/mcml/two.mci"
+    sed 's/^b.mco/own.mci/' "$out/mcml/two.mci" >"$out/mcml/own.mci"
+    refuses "an output over the input" "line 11" sh -c "cd '$out/mcml' && '$root/build/mcml' own.mci"
+    refuses "a share that is no number" "usage" build/mcml --run "$out/mcml/two.mci" 1x 2 "$out/mcml/1.tally"
+    refuses "a seed beyond 2^64" "usage" build/mcml -s 18446744073709551616 "$out/mcml/two.mci"
+    for share in 1 2; do build/mcml --run "$out/mcml/two.mci" $share 2 "$out/mcml/$share.tally"; done
+    build/mcml --run "$out/mcml/two.mci" 2 4 "$out/mcml/quarter.tally"
+    ok "two shares make a run" sh -c "cd '$out/mcml' && '$root/build/mcml' --merge two.mci 2.tally 1.tally"
+    refuses "the same share twice" "1.tally has, too" build/mcml --merge "$out/mcml/two.mci" "$out/mcml/1.tally" "$out/mcml/1.tally"
+    refuses "a share of another split" "1.tally has, too" build/mcml --merge "$out/mcml/two.mci" "$out/mcml/1.tally" "$out/mcml/quarter.tally"
 fi
 
 if [ -x build/sss_kernel ]; then
@@ -415,8 +424,18 @@ fi
 psnr() { build/nn_quantize "$@" | sed -n 's/.*inputs: \([0-9]*\)\..*/\1/p'; }
 is "nn_quantize: i8, then f16 of a lower rank" "$(test "$(psnr $net "$out/q.safetensors" --type i8)" -ge 50 && echo 50) \
 $(test "$(psnr $net "$out/q.safetensors" --type f16 --rank 8 --samples 300)" -ge 35 && echo 35) $(build/nn_info "$out/q.safetensors" | grep -c fc2)" "50 35 2"
-printf '\300\0\0\0\0\0\0\0%-192s\0\270\210G' '{"__metadata__":{"ms_nn_version":"1","ms_nn_input":"[1]","ms_nn_layers":"[{\"type\":\"dense\",\"name\":\"f\",\"bias\":false}]"},"f.weight":{"dtype":"F32","shape":[1,1],"data_offsets":[0,4]}}' >"$out/70000.safetensors"
+one_weight() { # NAME of the layer, its weight in octal bytes
+    printf '\0\1\0\0\0\0\0\0%-256s'"$2" '{"__metadata__":{"ms_nn_version":"1","ms_nn_input":"[1]","ms_nn_layers":"[{\"type\":\"dense\",\"name\":\"'"$1"'\",\"bias\":false}]"},"'"$1"'.weight":{"dtype":"F32","shape":[1,1],"data_offsets":[0,4]}}'
+}
+one_weight f '\0\270\210G' >"$out/70000.safetensors"
+one_weight f '\0\0\300\177' >"$out/nan.safetensors"
+one_weight f}{ '\0\0\200?' >"$out/braces.safetensors"
 refuses "nn_quantize: a weight beyond f16, by name" "'f.weight' has a weight of 70000" build/nn_quantize "$out/70000.safetensors" "$out/q.safetensors" --type f16
+refuses "nn_quantize: i8 has no NaN" "'f.weight'" build/nn_quantize "$out/nan.safetensors" "$out/q.safetensors" --type i8
+is "nn_quantize: NaN is not equal" "$(build/nn_quantize "$out/nan.safetensors" "$out/q.safetensors" --type f16 | grep -c NaN)" 1
+refuses "nn_quantize: a name that the list's braces hide in" "odd" build/nn_quantize "$out/braces.safetensors" "$out/q.safetensors" --type f16 --rank 1
+printf '\357\273\2772\n' >"$out/mark.csv"
+is "nn_run: a byte order mark" "$(build/nn_run "$out/braces.safetensors" "$out/mark.csv")" 2
 is "nn_quantize: a type that is none" "$(build/nn_quantize $net "$out/q.safetensors" --type f8 2>/dev/null; echo $?)" 2
 
 # Tables as spreadsheets write them: semicolons and decimal commas, a byte order mark; UTF-16 is named.

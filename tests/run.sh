@@ -180,6 +180,8 @@ replay_jobs() {
     if compiles $CC -m32; then
         narrow="$CC $posix $paths -std=c99 -m32 -msse2 -mfpmath=sse -O1 $1"
         job replay_32bit "$narrow tests/fuzz/fuzz_safetensors.c tests/fuzz/replay.c -o $out/fuzz_32bit -lm && $out/fuzz_32bit tests/fuzz/corpus_safetensors 2000"
+        job x87 "for f in mcml profile train; do $CC $posix $paths -std=c99 -m32 -fsyntax-only -Werror examples/tools/\$f.c || exit 1; done"
+        job train_32bit "$narrow examples/tools/train.c -o $out/train_32bit -lm -lpthread && $out/train_32bit --inversion examples/data/preview_64.safetensors $out/train_32bit_ --count 1 --first 8 --width 8 --steps 2"
         job test_nn_32bit "$narrow -O0 tests/test_nn.c -o $out/test_nn_32bit -lm -lpthread && $out/test_nn_32bit $([ $group != check ] || echo --build) sizes"
     else
         job replay_32bit "echo '$CC cannot build for 32 bits here'; exit 77"

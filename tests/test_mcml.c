@@ -396,6 +396,35 @@ static void clear_stacks(void)
     ms_mcml_result_destroy(&r);
 }
 
+/* Optical depths of media so thin, or layers so thick, that floats near their ends count them. */
+static void hardly_absorbing(void)
+{
+    static const double mu[4] = {1e-15, 1e-13, 1e-30, 1e-300}, depth[4] = {1e8, 1e13, 1e17, 1e308};
+    ms_mcml_layer l[2];
+    ms_mcml_tissue t = tissue_of(l, 2, 1, 1);
+    ms_mcml_grid g = grid_of(0.1, 5, 0.1, 5, 5);
+    ms_mcml_options o = options_of(1e5);
+    int i;
+    for (i = 0; i < 4; ++i) { /* a standard error below half a photon: none was lost */
+        ms_mcml_result r;
+        const double kept = exp(-2 * mu[i] * fmin(depth[i], 1e18));
+        l[0] = l[1] = layer(1, mu[i], 0, 0, depth[i]);
+        r = run(&t, &g, &o);
+        CHECK_NEAR(r.tt, kept, 4 * sqrt(kept * (1 - kept) / 1e5) + 5e-6);
+        CHECK_NEAR(r.a + r.tt, 1, 1e-9);
+        ms_mcml_result_destroy(&r);
+    }
+    /* g that a float rounds to 1 is 1: 1e5 collisions of each photon, none of which deflects or loses it */
+    l[0] = layer(1, 0, 1e9, 1 - 1e-9, 1e-4);
+    t.layer_count = 1;
+    o = options_of(1000);
+    {
+        ms_mcml_result r = run(&t, &g, &o);
+        CHECK_NEAR(r.tt_unscattered, 1, 1e-12);
+        ms_mcml_result_destroy(&r);
+    }
+}
+
 static void largest_grid(void)
 {
     ms_mcml_layer l = layer(1.4, 1, 50, 0.8, 1e7);
@@ -533,10 +562,12 @@ static void splits_and_threads(void)
             ms_mcml *part = tally_of(&o, cuts[i], cuts[i + 1] - cuts[i]), *again = tally_of(&o, 0, 0);
             const tally_run run_of = two_layer_run(o.seed);
             size_t size;
-            unsigned char *bytes = tally_pack(part, &run_of, &size);
-            CHECK_INT(tally_add(again, &run_of, bytes, size, &e), MS_OK);
+            unsigned char *bytes = tally_pack(part, &run_of, cuts[i], &size);
+            uint64_t first = 7;
+            CHECK_INT(tally_add(again, &run_of, bytes, size, NULL, &e), MS_OK);
             CHECK(same_bits(part, again));
-            CHECK_INT(tally_add(sum, &run_of, bytes, size, &e), MS_OK);
+            CHECK_INT(tally_add(sum, &run_of, bytes, size, &first, &e), MS_OK);
+            CHECK_INT(first, cuts[i]);
             free(bytes);
             ms_mcml_destroy(part);
             ms_mcml_destroy(again);
@@ -621,6 +652,8 @@ static void add_refuses(void)
     CHECK_INT(ms_mcml_run(a, 10, 1, &e), MS_INVALID_ARGUMENT);
     CHECK_INT(ms_mcml_run(b, 10, (uint64_t)1 << 32, &e), MS_INVALID_ARGUMENT);
     CHECK_INT(ms_mcml_run(b, UINT64_MAX, 10, &e), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_run(b, UINT64_MAX, 1, &e), MS_INVALID_ARGUMENT); /* its last photon is 2^64 - 1 */
+    CHECK(strstr(e.message, "2^64 or more") != NULL);
     CHECK_INT(ms_mcml_photons(b), 10);
     of_a = ms_mcml_sums(b, &count);
     CHECK_INT(ms_mcml_add(b, of_a, count, &e), MS_OK); /* its own */
@@ -639,18 +672,19 @@ static void damaged_shares(void)
     ms_mcml_options o = options_of(0);
     ms_mcml *a = tally_of(&o, 0, 100), *b = tally_of(&o, 0, 0), *empty = tally_of(&o, 0, 0);
     const tally_run run_of = two_layer_run(o.seed), other = two_layer_run(o.seed + 1);
-    const size_t head = tally_head_size(&run_of);
+    const size_t head = tally_head_size(&run_of) + 16; /* with the first photon */
+    uint64_t first = 7;
     size_t size, i;
-    unsigned char *bytes = tally_pack(a, &run_of, &size), *longer;
+    unsigned char *bytes = tally_pack(a, &run_of, 0, &size), *longer;
     ms_error e;
     long refused = 0;
-    CHECK_INT(tally_add(b, &other, bytes, size, &e), MS_BAD_DATA);
+    CHECK_INT(tally_add(b, &other, bytes, size, &first, &e), MS_BAD_DATA);
     CHECK(strstr(e.message, "another") != NULL);
     for (i = 0; i < head + 400; ++i) {
         ms_mcml *c = tally_of(&o, 0, 0);
         ms_status status;
         bytes[i] ^= (unsigned char)(1u << (i * 7 % 8));
-        status = tally_add(c, &run_of, bytes, size, &e);
+        status = tally_add(c, &run_of, bytes, size, NULL, &e);
         if (i < head || status != MS_OK) CHECK_INT(status, MS_BAD_DATA);
         if (status == MS_OK) {
             ms_mcml_result r;
@@ -663,12 +697,12 @@ static void damaged_shares(void)
         ms_mcml_destroy(c);
         bytes[i] ^= (unsigned char)(1u << (i * 7 % 8));
     }
-    for (i = 0; i < size; i += i < 300 ? 1 : 97) CHECK_INT(tally_add(b, &run_of, bytes, i, &e), MS_BAD_DATA);
+    for (i = 0; i < size; i += i < 300 ? 1 : 97) CHECK_INT(tally_add(b, &run_of, bytes, i, &first, &e), MS_BAD_DATA);
     longer = (unsigned char *)calloc(size + 8, 1);
     memcpy(longer, bytes, size);
-    for (i = 1; i <= 8; ++i) CHECK_INT(tally_add(b, &run_of, longer, size + i, &e), MS_BAD_DATA);
-    CHECK(same_bits(b, empty));
-    CHECK_INT(tally_add(b, &run_of, bytes, size, NULL), MS_OK);
+    for (i = 1; i <= 8; ++i) CHECK_INT(tally_add(b, &run_of, longer, size + i, &first, &e), MS_BAD_DATA);
+    CHECK(same_bits(b, empty) && first == 7);
+    CHECK_INT(tally_add(b, &run_of, bytes, size, NULL, NULL), MS_OK);
     CHECK(same_bits(a, b));
     TEST_NOTE("%ld of %ld changed bytes refused", refused, (long)head + 400);
     free(longer);
@@ -908,6 +942,7 @@ static const test_case cases[] = {
     {"hard_media", hard_media},
     {"absorber_alone", absorber_alone},
     {"clear_stacks", clear_stacks},
+    {"hardly_absorbing", hardly_absorbing},
     {"largest_grid", largest_grid},
     {"absorption_adds_up", absorption_adds_up},
     {"whole_photons", whole_photons},

@@ -689,6 +689,48 @@ static void a_file_without_noise(void)
     mci_destroy(&f);
 }
 
+/* What leaves next to nothing by rounding below 0 has totals and errors of at least 0. */
+static void next_to_nothing(void)
+{
+    ms_mcml_layer l[2] = {{2.46687071, 75705.7794, 151304.434, 0, 0.000141500026},
+                          {1.63830754, 4629.46648, 4.63410058, 0, 0.00439295416}};
+    ms_mcml_tissue t = {1, 1, 2, l};
+    ms_mcml_layered s;
+    double e = -1;
+    int i;
+    CHECK_INT(ms_mcml_layered_solve(&t, NULL, &s, NULL), MS_OK);
+    CHECK(s.tt >= 0 && ms_mcml_layered_outside(&s, 1, 0) >= 0);
+    for (i = 0; i < 60; ++i) {
+        CHECK(ms_mcml_layered_ring(&s, 1, i ? 1e-9 * pow(1.5, i - 1) : 0, 1e-9 * pow(1.5, i), &e) >= 0);
+        CHECK(e >= 0);
+    }
+}
+
+/* The last ring of a grid stands for all that lies beyond, and so does its error: it does not depend on its width. */
+static void the_last_ring(void)
+{
+    ms_mcml_layer l = {1.4, 1, 60, 0, 0.1};
+    ms_mcml_tissue t = {1, 1, 1, &l};
+    ms_mcml_grid g = {0.001, 0.1, 1, 1, 1};
+    ms_mcml_result narrow, wide;
+    int side;
+    CHECK_INT(mci_layered(&t, &g, NULL, &narrow, NULL), MS_OK);
+    g.dr_cm = 1e4;
+    CHECK_INT(mci_layered(&t, &g, NULL, &wide, NULL), MS_OK);
+    for (side = 0; side < 2; ++side) {
+        const double *r[2], *e[2], area[2] = {3.14159265358979324e-6, 3.14159265358979324e8};
+        r[0] = side ? narrow.tt_r : narrow.rd_r;
+        r[1] = side ? wide.tt_r : wide.rd_r;
+        e[0] = side ? narrow.tt_r_error : narrow.rd_r_error;
+        e[1] = side ? wide.tt_r_error : wide.rd_r_error;
+        CHECK_NEAR(r[0][0] * area[0], side ? narrow.tt : narrow.rd, 1e-9);
+        CHECK_NEAR(r[1][0] * area[1], r[0][0] * area[0], 1e-9);
+        CHECK_NEAR(e[1][0] * area[1], e[0][0] * area[0], 1e-6 * e[0][0] * area[0]); /* the table ends before 1e4 cm */
+    }
+    ms_mcml_result_destroy(&narrow);
+    ms_mcml_result_destroy(&wide);
+}
+
 /* --- skin --- */
 
 /* CIE 1931 2 degree observer and D65, every 10 nm from 400 to 700: the published tables. */
@@ -946,6 +988,8 @@ static const test_case cases[] = {
     {"refusals", refusals},
     {"memory_runs_out", memory_runs_out},
     {"a_file_without_noise", a_file_without_noise},
+    {"next_to_nothing", next_to_nothing},
+    {"the_last_ring", the_last_ring},
     {"skin_is_made_of_its_laws", skin_is_made_of_its_laws},
     {"skin_of_people", skin_of_people},
     {"skin_color_of_the_observer", skin_color_of_the_observer},

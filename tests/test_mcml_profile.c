@@ -189,6 +189,30 @@ static double spectrum_misfit(const ms_mcml_medium *m, const ms_mcml__halfspace 
     return worst;
 }
 
+/* With little absorption what is lost over what leaves is A t (1 + B t): the law that stands in below t = 4e-6 leaves
+   out B t, and the albedo, rounded by 2^-54 of 1 = t^2 / 3 / (1 - albedo), is felt as 1.5 2^-54 / t^2. They meet there. */
+static void slow_decay(void)
+{
+    static const double eta[] = {0.1, 0.3, 0.8, 1, 1.3, 1.5, 2, 5, 10};
+    double matrix[MS_MCML__TRIANGLE], worst = 0;
+    size_t n;
+    for (n = 0; n < sizeof eta / sizeof *eta; ++n) {
+        double single = 0, ratio[2];
+        ms_mcml__cone cone;
+        int i;
+        ms_mcml__cone_make(&cone, eta[n]);
+        for (i = 0; i < cone.count; ++i) single += cone.weight[i] * cone.mu[i] / (1 + cone.mu[i]);
+        for (i = 0; i < 2; ++i) {
+            const double t = 1e-4 * (i + 1), albedo = t / atanh(t);
+            const double left = albedo * single + ms_mcml__multiple(&cone, albedo, 0, t, 0.3, matrix);
+            ratio[i] = (1 - left) / left / t;
+        }
+        worst = fmax(worst, (ratio[1] / ratio[0] - 1) / 1e-4);
+    }
+    CHECK_LE(worst, 1.25); /* as stated */
+    CHECK_NEAR(pow(1.5 * pow(2, -54) / 1.25, 1 / 3.0), 4e-6, 0.1e-6);
+}
+
 /* Random media, absorption down to 1e-14 and up to all but 1e-10 of what is met, indices 0.1 to 10 and within 1e-8 of
    1. */
 static void random_media(void)
@@ -917,6 +941,15 @@ static void profile_rings_of_all_kinds(void)
     check_profile(&p, 1e-12);
     CHECK_NEAR(p.within[0], hole, 1e-15);
     ms_mcml_profile_destroy(&p);
+    { /* the shortest lengths: a finite mean, within what single scattering's 1 / r says */
+        static const double least[] = {0, 1e-100, 3e-100, 1};
+        o.edge_mm = least;
+        o.rings = 3;
+        CHECK_INT(ms_mcml_profile_make(&p, media, 3, &o, NULL), MS_OK);
+        check_profile(&p, 1);
+        for (i = 0; i < 3; ++i) CHECK_NEAR(p.rd_per_mm2[3 * i] / p.rd_per_mm2[3 * i + 1], 4, 1e-6);
+        ms_mcml_profile_destroy(&p);
+    }
     o.edge_mm = NULL;
     o.rings = 60000; /* huge, uniform */
     o.ring_mm = 0.001;
@@ -1095,6 +1128,15 @@ static void bad_arguments(void)
     o.rings = 10;
     CHECK_INT(ms_mcml_profile_make(&p, &good, 1, &o, &error), MS_INVALID_ARGUMENT); /* ring_mm 0 */
     CHECK(strstr(error.message, "ring_mm") != NULL);
+    o.ring_mm = 0.99e-100; /* its square would be 0 */
+    CHECK_INT(ms_mcml_profile_make(&p, &good, 1, &o, &error), MS_INVALID_ARGUMENT);
+    edges[0] = 0;
+    edges[1] = 0.99e-100;
+    edges[2] = 1;
+    o.edge_mm = edges;
+    o.rings = 2;
+    CHECK_INT(ms_mcml_profile_make(&p, &good, 1, &o, &error), MS_INVALID_ARGUMENT);
+    CHECK(strstr(error.message, "1e-100") != NULL && error.position == 1);
     memset(&o, 0, sizeof o);
     CHECK_INT(ms_mcml_profile_make(&p, &good, 0, &o, &error), MS_INVALID_ARGUMENT);
     CHECK_INT(ms_mcml_profile_make(NULL, &good, 1, &o, &error), MS_INVALID_ARGUMENT);
@@ -1168,6 +1210,7 @@ static const test_case cases[] = {
     {"materials_table", materials_table},
     {"totals_of_the_reference_data", totals_of_the_reference_data},
     {"totals_of_every_index_and_albedo", totals_of_every_index_and_albedo},
+    {"slow_decay", slow_decay},
     {"random_media", random_media},
     {"totals_at_the_edges", totals_at_the_edges},
     {"profiles_of_the_exact_tables", profiles_of_the_exact_tables},

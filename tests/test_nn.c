@@ -1896,9 +1896,36 @@ static void test_long_names(void)
         name[n] = 0;
         error = error_of_name(name, MS_BAD_DATA);
         if (strncmp(error.message,
-                    n <= MS_NN_MAX_NAME ? "the layer list makes dimension 0 2, it is 3" : "its name has over 240", 20))
+                    n <= MS_NN_MAX_NAME ? "dimension 0 is 3, the layer list makes it 2" : "its name has over 240", 20))
             TEST_FAIL("a name of %d bytes: %s", n, error.message);
     }
+}
+
+/* A stride beyond the input takes no step, and no memory for one; a dimension of 0 is named. */
+static void test_stride_without_step(void)
+{
+    static const float weight[3] = {1, 2, 4}, x[5] = {1, 10, 100, 1000, 10000};
+    static const char layers[] = "[{\"type\":\"conv1d\",\"name\":\"c\",\"stride\":2147483647,\"bias\":false}]";
+    size_t shape[3] = {1, 1, 3}, size;
+    ms_nn_tensor t = {"c.weight", MS_NN_F32, 3, NULL, NULL, sizeof weight};
+    const ms_nn_entry e[3] = {{"ms_nn_version", "1"}, {"ms_nn_input", "[1,5]"}, {"ms_nn_layers", layers}};
+    unsigned char file[1024];
+    float y = 0;
+    ms_nn *nn = NULL;
+    ms_error error;
+    t.shape = shape;
+    t.data = weight;
+    CHECK_INT(ms_nn_file_write(&t, 1, e, 3, file, sizeof file, &size, &error), MS_OK);
+    CHECK_INT(ms_nn_load(file, size, NULL, &nn, &error), MS_OK);
+    CHECK_LE((double)ms_nn_workspace_size(nn, MS_NN_FORWARD, 1), 10000.0);
+    CHECK_INT(ms_nn_output_size(nn), 1);
+    if (!test_failures) CHECK_INT(ms_nn_forward(nn, 1, x, &y, NULL), MS_OK);
+    if (!test_failures) CHECK_NEAR((double)y, 421, 0);
+    ms_nn_destroy(nn);
+    shape[2] = t.bytes = 0;
+    CHECK_INT(ms_nn_file_write(&t, 1, e, 3, file, sizeof file, &size, &error), MS_OK);
+    CHECK_INT(ms_nn_load(file, size, NULL, &nn, &error), MS_BAD_DATA);
+    CHECK(strncmp(error.message, "dimension 2 is 0:", 17) == 0);
 }
 
 /* A network of layers that have no weights, `layer` being one of them, on an input of [1][16]; the status of its load. */
@@ -2651,6 +2678,7 @@ static const test_case cases[] = {{"reference networks", test_reference},
                                   {"refused", test_refused},
                                   {"any sizes", test_any_sizes},
                                   {"long names", test_long_names},
+                                  {"stride without step", test_stride_without_step},
                                   {"counts", test_counts},
                                   {"weights checked", test_check_weights},
                                   {"other files", test_other_files},

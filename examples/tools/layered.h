@@ -723,8 +723,8 @@ static inline void layered__collect(layered__solver *s, const layered__ray *ray)
         double *row = s->exchange + (size_t)i * room;
         const double *tr = s->in[0] + layer, *ti = s->in[1] + layer, *br = s->in[2] + layer, *bi = s->in[3] + layer;
         if (!(ray->mu[s->f[i].layer] > 0)) continue;
-#if defined(__GNUC__) || defined(__clang__)
-        for (j = 0; j <= i; j += 4) { /* a row has room for whole vectors */
+#if defined(__GNUC__) && __FLT_EVAL_METHOD__ != 2 /* x87's products are long doubles, which have no vectors */
+        for (j = 0; j <= i; j += 4) {             /* a row has room for whole vectors */
             typedef double four __attribute__((vector_size(32), aligned(8), may_alias));
             *(four *)(row + j) += ur * *(const four *)(tr + j) - ui * *(const four *)(ti + j) +
                 dr * *(const four *)(br + j) - di * *(const four *)(bi + j);
@@ -914,8 +914,8 @@ static inline void layered__totals(layered__solver *s, const ms_mcml_tissue *t, 
     out->specular = layered__fresnel(s->n_above, s->layer[0].n, 0);
     out->rd_unscattered = s->specular - out->specular;
     out->tt_unscattered = s->unscattered;
-    out->rd = leave[0] + out->rd_unscattered;
-    out->tt = leave[1] + out->tt_unscattered;
+    out->rd = fmax(leave[0], 0) + out->rd_unscattered; /* next to nothing may be below 0 by rounding */
+    out->tt = fmax(leave[1], 0) + out->tt_unscattered;
     out->rd_error = 3e-7 + fabs(leave[0] - coarse[0]);
     out->tt_error = 3e-7 + fabs(leave[1] - coarse[1]);
     out->a = layered__depth(s, t, o, out->specular + out->rd + out->tt);
@@ -1316,11 +1316,15 @@ static inline ms_status ms_mcml_profile_layers(ms_mcml_profile *profile, const m
     memset(&p, 0, sizeof p);
     memset(&how, 0, sizeof how);
     if (options) o = *options;
-    if (o.rings < 0 || o.rings > 1 << 24 || (o.rings > 0 && o.edge_mm == NULL && !(o.ring_mm > 0)))
+    if (o.rings < 0 || o.rings > 1 << 24 ||
+        (o.rings > 0 && o.edge_mm == NULL && !layered__between(o.ring_mm, 1e-100, 1e100)))
         return layered__fail(error, MS_INVALID_ARGUMENT, 0, "rings is %d and ring_mm %g", o.rings, o.ring_mm);
     for (i = 0; i < o.rings && o.edge_mm; ++i)
-        if (!(o.edge_mm[i] >= 0 && o.edge_mm[i + 1] > o.edge_mm[i]))
-            return layered__fail(error, MS_INVALID_ARGUMENT, (size_t)i, "ring edge %d does not increase", i + 1);
+        if (!layered__between(o.edge_mm[i + 1], 1e-100, 1e100) ||
+            !(o.edge_mm[i] >= 0 && o.edge_mm[i + 1] > o.edge_mm[i]))
+            return layered__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
+                                 "ring edge %d is %g, expected increasing numbers, 0 or 1e-100 to 1e100", i + 1,
+                                 o.edge_mm[i + 1]);
     how.allocator = o.allocator;
     size = (size_t)channels * sizeof *solution;
     solution = (ms_mcml_layered *)layered__alloc(&o.allocator, size);

@@ -265,7 +265,8 @@ static inline ms_status mci_read(const char *text, size_t size, mci_file *file, 
     return status;
 }
 
-/* The same from a file. MS_IO: it cannot be opened or read. No message names the file: the caller does. */
+/* The same from a file. MS_IO: it cannot be opened or read. MS_BAD_DATA, too: a run's output has this file's name. No
+   message names the file: the caller does. */
 static inline ms_status mci_load(const char *path, mci_file *file, ms_error *error)
 {
     const char *problem = "cannot be read";
@@ -273,6 +274,8 @@ static inline ms_status mci_load(const char *path, mci_file *file, ms_error *err
     char *text = NULL;
     size_t size = 0, room = 0;
     ms_status status = MS_OK;
+    mci_file out;
+    int i;
     if (f == NULL) return mci__fail(error, MS_IO, 0, "%s", problem);
     while (status == MS_OK && !feof(f)) {
         if (size == room) { /* grows, since not everything that can be read has a length */
@@ -287,9 +290,18 @@ static inline ms_status mci_load(const char *path, mci_file *file, ms_error *err
         if (ferror(f)) status = mci__fail(error, MS_IO, 0, "%s", problem);
     }
     fclose(f);
-    if (status == MS_OK) status = mci_read(text, size, file, error);
+    if (status == MS_OK) status = mci_read(text, size, &out, error);
     free(text);
-    return status;
+    if (status) return status;
+    for (i = 0; i < out.run_count && strcmp(out.runs[i].output, path) != 0; ++i) {}
+    if (i < out.run_count) {
+        status = mci__fail(error, MS_BAD_DATA, out.runs[i].line, "line %lu: the output would replace this input file",
+                           (unsigned long)out.runs[i].line);
+        mci_destroy(&out);
+        return status;
+    }
+    *file = out;
+    return MS_OK;
 }
 
 /* ---- writing --------------------------------------------------------------------------------------------------- */
@@ -462,9 +474,13 @@ static inline ms_status mci_layered(const ms_mcml_tissue *tissue, const ms_mcml_
                *a = one ? r + 4 * nr : NULL, *a_error = one ? a + 1 : NULL;
         block += (2 + 2 * one) * nr + 2 * one;
         for (i = 0; i < grid->nr; ++i) {
-            const double r0 = i * dr, area = 3.14159265358979324 * (2 * i + 1) * dr * dr;
+            const double r0 = i * dr;
             r[i] = ms_mcml_layered_ring(s, side, r0, r0 + dr, &r_error[i]);
-            if (i + 1 == grid->nr) r[i] = ms_mcml_layered_outside(s, side, r0) / area;
+            if (i + 1 == grid->nr) { /* the energy beyond r0, as if it were all in this ring */
+                const double scale = 1e100 / dr / (2 * i + 1) * (1e100 / dr);
+                r[i] = scale * ms_mcml_layered_ring(s, side, r0, 1e100, &r_error[i]);
+                r_error[i] *= scale;
+            }
             if (one) ra[i] = r[i] / (solid * cosine), ra_error[i] = r_error[i] / (solid * cosine);
         }
         if (one) a[0] = (side ? s->tt : s->rd) / solid, a_error[0] = (side ? s->tt_error : s->rd_error) / solid;

@@ -16,6 +16,7 @@
 #include "mci.h"
 #include "tally.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -74,7 +75,7 @@ static int run_share(const mci_run *run, unsigned long long part, unsigned long 
     if (status == MS_OK) {
         size_t size;
         const tally_run whole = tally_of(run);
-        unsigned char *bytes = tally_pack(tally, &whole, &size);
+        unsigned char *bytes = tally_pack(tally, &whole, first, &size);
         const char *problem = bytes ? file_save(path, bytes, size) : "out of memory";
         free(bytes);
         ms_mcml_destroy(tally);
@@ -84,9 +85,15 @@ static int run_share(const mci_run *run, unsigned long long part, unsigned long 
     return fail(run->output, error.message);
 }
 
+/* The photons of a share. */
+typedef struct span {
+    uint64_t first, end;
+} span;
+
 /* The share in a file joins the tally; 1, after a message, if it cannot. */
-static int add_share(ms_mcml *tally, const mci_run *run, const char *path)
+static int add_share(ms_mcml *tally, const mci_run *run, const char *path, span *photons)
 {
+    const uint64_t before = ms_mcml_photons(tally);
     const tally_run whole = tally_of(run);
     const char *problem = "cannot be read";
     FILE *file = file_open(path, &problem);
@@ -96,7 +103,8 @@ static int add_share(ms_mcml *tally, const mci_run *run, const char *path)
     if (file && fseek(file, 0, SEEK_END) == 0) size = ftell(file);
     if (size >= 0 && fseek(file, 0, SEEK_SET) == 0) bytes = (char *)malloc((size_t)size + 1);
     if (bytes && fread(bytes, 1, (size_t)size, file) == (size_t)size)
-        problem = tally_add(tally, &whole, bytes, (size_t)size, &error) == MS_OK ? NULL : error.message;
+        problem = tally_add(tally, &whole, bytes, (size_t)size, &photons->first, &error) ? error.message : NULL;
+    photons->end = photons->first + (ms_mcml_photons(tally) - before);
     if (problem) fail(path, problem);
     if (file) fclose(file);
     free(bytes);
@@ -108,10 +116,21 @@ static int merge_shares(const mci_run *run, char **paths, int count)
     ms_mcml *sum;
     ms_mcml_result result;
     ms_error error;
-    int i;
-    if (ms_mcml_create(&run->tissue, &run->grid, NULL, &sum, &error) != MS_OK) return fail(run->output, error.message);
-    for (i = 0; i < count; ++i)
-        if (add_share(sum, run, paths[i])) break;
+    span *photons = (span *)calloc((size_t)count, sizeof *photons);
+    int i, k;
+    if (photons == NULL) return fail(run->output, "out of memory");
+    if (ms_mcml_create(&run->tissue, &run->grid, NULL, &sum, &error) != MS_OK) {
+        free(photons);
+        return fail(run->output, error.message);
+    }
+    for (i = 0; i < count; ++i) {
+        if (add_share(sum, run, paths[i], &photons[i])) break;
+        for (k = 0; k < i; ++k)
+            if (photons[i].first < photons[k].end && photons[k].first < photons[i].end) break;
+        if (k < i) fprintf(stderr, "%s: has photons that %s has, too\n", paths[i], paths[k]);
+        if (k < i) break;
+    }
+    free(photons);
     if (i == count && ms_mcml_photons(sum) != run->photons) {
         fail(run->output, "the shares do not add up to the photons of the run");
         i = -1;
@@ -134,6 +153,14 @@ static const char usage[] =
     "  mcml --run FILE.mci PART OF OUT.tally    one share of the first run's photons\n"
     "  mcml --merge FILE.mci TALLY...    adds the shares and writes the .mco file\n";
 
+/* Whether text is digits and nothing else, of a number below 2^64. */
+static int whole_number(const char *text, unsigned long long *value)
+{
+    errno = 0;
+    *value = strtoull(text, NULL, 10);
+    return text[0] != 0 && text[strspn(text, "0123456789")] == 0 && errno == 0;
+}
+
 /* --run FILE.mci PART OF OUT.tally, --merge FILE.mci TALLY... */
 static int split(int argc, char **argv)
 {
@@ -143,7 +170,7 @@ static int split(int argc, char **argv)
     ms_error error;
     int failed;
     if (running ? argc != 6 : argc < 4) return file_usage(usage);
-    if (running) part = strtoull(argv[3], NULL, 10), of = strtoull(argv[4], NULL, 10);
+    if (running && (!whole_number(argv[3], &part) || !whole_number(argv[4], &of))) return file_usage(usage);
     if (part < 1 || part > of || of > 1000000) return file_usage(usage);
     if (mci_load(argv[2], &file, &error) != MS_OK) return fail(argv[2], error.message);
     failed = running ? run_share(&file.runs[0], part, of, argv[5]) : merge_shares(&file.runs[0], argv + 3, argc - 3);
@@ -163,10 +190,8 @@ int main(int argc, char **argv)
     if (argc > 1 && (strcmp(argv[1], "--run") == 0 || strcmp(argv[1], "--merge") == 0)) return split(argc, argv);
     for (i = 1; i < argc; ++i) {
         if ((strcmp(argv[i], "-n") == 0 || strcmp(argv[i], "-s") == 0) && i + 1 < argc) {
-            char *end;
-            unsigned long long value = strtoull(argv[i + 1], &end, 10);
-            if (*end || argv[i + 1][0] < '0' || argv[i + 1][0] > '9' || (argv[i][1] == 'n' && value == 0))
-                return file_usage(usage);
+            unsigned long long value;
+            if (!whole_number(argv[i + 1], &value) || (argv[i][1] == 'n' && value == 0)) return file_usage(usage);
             if (argv[i++][1] == 'n') photons = value;
             else seed = value;
         } else if (strcmp(argv[i], "--exact") == 0) {

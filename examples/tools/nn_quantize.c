@@ -77,7 +77,8 @@ static ms_nn_tensor convert(const ms_nn_tensor *t, const ms_nn_tensor *old_scale
         double before = old_scale ? element(old_scale, i) : 1, most = 0;
         float unit;
         for (k = 0; k < count; ++k) most = fmax(most, fabs(before * element(t, i * count + k)));
-        unit = (float)(most > 0 ? most / 127 : 1);
+        unit = (float)(most / 127);
+        if (!(unit > 0)) unit = 1; /* all 0, or so little that a scale would be 0 */
         if (type == MS_NN_I8) put(scale + 4 * i, bits_of(unit), 4);
         for (k = 0; k < count; ++k, data += bytes) {
             double x = before * element(t, i * count + k);
@@ -111,7 +112,8 @@ static float *numbers(const char *path, size_t *count)
     fclose(f);
     text[size] = 0;
     x = (float *)take(size + 1, sizeof(float));
-    for (*count = 0, p = text; *(p += strspn(p, " ,\t\r\n")) != 0; p = end) {
+    if ((p = (char *)(size_t)csv_begin(text, size, &problem)) == NULL) exit(fail(path, problem));
+    for (*count = 0; *(p += strspn(p, " ,\t\r\n")) != 0; p = end) {
         x[(*count)++] = (float)number_read(p, '.', &end);
         if (end == p) exit(fail(path, "there is something that is no number"));
     }
@@ -217,7 +219,7 @@ static void *low_rank(const ms_nn *nn, const char *path, size_t rank, const floa
     if (strcmp(last.type, "dense") != 0 || strcmp(last.activation, "linear") != 0)
         exit(fail(path, "the last entry of its layer list is not a dense and linear layer"));
     length = strlen(last.name);
-    if (length > 200 || strpbrk(last.name, "\"\\") != NULL)
+    if (length > 200 || strpbrk(last.name, "\"\\{}") != NULL)
         exit(fail(path, "the last layer's name is too long or odd"));
     names = (char *)take(4, 256);
     sprintf(names, "%s.low.weight", last.name);
@@ -395,6 +397,7 @@ int main(int argc, char **argv)
     for (k = 0; k < 3 && (type == NULL || strcmp(type, type_name[k])); ++k) {}
     if (argc < 3 || i != argc || k == 3) return file_usage(usage);
     if (ms_nn_load_file(argv[1], NULL, &nn, &error) != MS_OK) return fail(argv[1], error.message);
+    if (types[k] == MS_NN_I8 && ms_nn_check_weights(nn, &error) != MS_OK) return fail(argv[1], error.message);
     in = ms_nn_input_size(nn);
     out = ms_nn_output_size(nn);
     if (inputs) {
@@ -404,7 +407,7 @@ int main(int argc, char **argv)
         samples = (long)(count / in);
     } else {
         uint32_t state = 1;
-        x = (float *)take((size_t)samples * in, sizeof(float));
+        x = (float *)take((size_t)samples, in * sizeof(float));
         for (j = 0; j < (size_t)samples * in; ++j) {
             state = state * 1664525u + 1013904223u;
             x[j] = (float)(state >> 8) / 16777216.0f;
@@ -445,7 +448,9 @@ int main(int argc, char **argv)
             printf("PSNR over %ld %s inputs: %.2f dB, least %.2f dB (against a range of outputs of %g)\n", samples,
                    inputs ? "given" : "random", 10 * log10(range * (double)samples / sum), 10 * log10(range / worst),
                    high - low);
-        else printf("PSNR over %ld %s inputs: the outputs are equal\n", samples, inputs ? "given" : "random");
+        else if (sum <= 0)
+            printf("PSNR over %ld %s inputs: the outputs are equal\n", samples, inputs ? "given" : "random");
+        else printf("no PSNR: some outputs are NaN or infinite\n");
     }
     free(x);
     free(y);

@@ -36,6 +36,7 @@ static char *read_text(const char *path)
     FILE *f = file_open(path, &problem);
     size_t size = 0, used = 0, got = 1;
     char *text = NULL;
+    const char *begin;
     while (f != NULL && got > 0) {
         if (used + 1 >= size) {
             char *larger = (char *)realloc(text, size = 2 * size + 65536);
@@ -46,11 +47,14 @@ static char *read_text(const char *path)
         used += got;
         text[used] = 0;
     }
+    if (f != NULL && ferror(f)) got = 1;
     if (f != NULL) fclose(f);
-    if (f == NULL || got > 0) {
+    begin = f != NULL && got == 0 ? csv_begin(text, used, &problem) : NULL;
+    if (begin == NULL) {
         fprintf(stderr, "nn_run: %s: %s\n", path, problem);
         exit(1);
     }
+    memmove(text, begin, used + 1 - (size_t)(begin - text)); /* without a byte order mark */
     return text;
 }
 

@@ -22,7 +22,13 @@ static ms_status photon_profile(ms_mcml_profile *profile, const ms_mcml_medium *
     p.rings = rings;
     p.memory_size = (n + 1 + count * (3 * n + 4)) * sizeof(double);
     next = (double *)malloc(p.memory_size);
-    if (next == NULL) return MS_OUT_OF_MEMORY;
+    if (next == NULL) {
+        if (error) {
+            const ms_error none = {MS_OUT_OF_MEMORY, 0, "no memory for the rings"};
+            *error = none;
+        }
+        return MS_OUT_OF_MEMORY;
+    }
     p.memory = next;
     p.edge_mm = next, next += n + 1;
     p.within = next, next += count * (n + 1);

@@ -1,11 +1,13 @@
 /* A share of the photons of a run as bytes, for other processes and machines. Include after ms_mcml.h.
 
-     bytes = tally_pack(tally, &run, &size);                    release it with free; NULL: out of memory
-     status = tally_add(tally, &run, bytes, size, &error);      adds a share to a tally of the same run
+     bytes = tally_pack(tally, &run, first, &size);              release it with free; NULL: out of memory
+     status = tally_add(tally, &run, bytes, size, &first, &error);
+                                                                adds a share to a tally of the same run
 
    A share is the 16 characters of tally_magic, words of 64 bits, little-endian, that name the run (seed, grid, tissue),
-   and the sums of ms_mcml_sums. The reader is told which run it expects: it compares the words, and takes no size from
-   the bytes. */
+   its first photon (and all its bits turned), and the sums of ms_mcml_sums. The reader is told which run it expects: it
+   compares the words, and takes no size from the bytes. It tells which photon was the first, so that its caller can see
+   to it that none is counted twice: the others, as many as the tally grew by, follow that one. */
 #ifndef TALLY_H
 #define TALLY_H
 #include <stdint.h>
@@ -19,7 +21,7 @@ typedef struct tally_run {
     uint64_t seed;
 } tally_run;
 
-static const char tally_magic[17] = "ms_mcml tally 4\n";
+static const char tally_magic[17] = "ms_mcml tally 5\n";
 
 static inline unsigned char *tally_put(unsigned char *at, uint64_t word)
 {
@@ -72,9 +74,9 @@ static inline void tally_head(const tally_run *run, unsigned char *at)
     }
 }
 
-static inline unsigned char *tally_pack(const ms_mcml *tally, const tally_run *run, size_t *size)
+static inline unsigned char *tally_pack(const ms_mcml *tally, const tally_run *run, uint64_t first, size_t *size)
 {
-    const size_t head = tally_head_size(run);
+    const size_t head = tally_head_size(run) + 16;
     size_t count, i;
     const int64_t *sum = ms_mcml_sums(tally, &count);
     unsigned char *bytes, *at;
@@ -84,6 +86,7 @@ static inline unsigned char *tally_pack(const ms_mcml *tally, const tally_run *r
     bytes = (unsigned char *)malloc(*size);
     if (bytes == NULL) return NULL;
     tally_head(run, bytes);
+    tally_put(tally_put(bytes + head - 16, first), ~first);
     for (at = bytes + head, i = 0; i < count; ++i) at = tally_put(at, (uint64_t)sum[i]);
     return bytes;
 }
@@ -97,12 +100,13 @@ static inline ms_status tally_fail(ms_error *error, ms_status status, const char
     return status;
 }
 
-/* MS_BAD_DATA: bytes that are no share, a share of another run, or not of this size; or sums that no run has. The tally
-   is untouched then. */
-static inline ms_status tally_add(ms_mcml *tally, const tally_run *run, const void *share, size_t size, ms_error *error)
+/* *first (may be NULL) gets the share's first photon. MS_BAD_DATA: bytes that are no share, a share of another run, or
+   not of this size; or sums that no run has. The tally and *first are untouched then. */
+static inline ms_status tally_add(ms_mcml *tally, const tally_run *run, const void *share, size_t size, uint64_t *first,
+                                  ms_error *error)
 {
     const unsigned char *bytes = (const unsigned char *)share;
-    const size_t head = tally_head_size(run);
+    const size_t names = tally_head_size(run), head = names + 16;
     size_t count, i;
     unsigned char *expected;
     int64_t *sum;
@@ -110,14 +114,16 @@ static inline ms_status tally_add(ms_mcml *tally, const tally_run *run, const vo
     ms_mcml_sums(tally, &count);
     if (size < 16 || memcmp(bytes, tally_magic, 16) != 0)
         return tally_fail(error, MS_BAD_DATA, "these bytes are not a saved tally");
-    expected = (unsigned char *)malloc(head);
+    expected = (unsigned char *)malloc(names);
     sum = (int64_t *)malloc(count * sizeof *sum);
     if (expected) tally_head(run, expected);
     if (expected == NULL || sum == NULL) status = tally_fail(error, MS_OUT_OF_MEMORY, "no memory for the share");
-    else if (size < head || memcmp(bytes, expected, head) != 0)
+    else if (size < names || memcmp(bytes, expected, names) != 0)
         status = tally_fail(error, MS_BAD_DATA, "the share is of another tissue, grid or seed");
-    else if ((size - head) % 8 != 0 || (size - head) / 8 != count)
+    else if (size < head || (size - head) % 8 != 0 || (size - head) / 8 != count)
         status = tally_fail(error, MS_BAD_DATA, "the share is cut short or longer than its run");
+    else if (tally_get(bytes + names) != ~tally_get(bytes + names + 8))
+        status = tally_fail(error, MS_BAD_DATA, "the share's first photon is damaged");
     else {
         for (i = 0; i < count; ++i) {
             const uint64_t word = tally_get(bytes + head + 8 * i);
@@ -125,6 +131,7 @@ static inline ms_status tally_add(ms_mcml *tally, const tally_run *run, const vo
         }
         status = ms_mcml_add(tally, sum, count, error);
         if (status == MS_INVALID_ARGUMENT) status = MS_BAD_DATA;
+        if (status == MS_OK && first) *first = tally_get(bytes + names);
         if (error) error->status = status;
     }
     free(expected);

@@ -95,7 +95,7 @@ static void drop_all(block *list)
 
 static void *room_in(block *list, size_t count, size_t size)
 {
-    block *b = count < ((size_t)1 << 46) / (size + 1) ? (block *)malloc(sizeof *b + count * size) : NULL;
+    block *b = count < (size_t)-1 / 2 / (size + 1) ? (block *)malloc(sizeof *b + count * size) : NULL;
     if (b == NULL) {
         fprintf(stderr, "train: out of memory (%.0f MB more were needed)\n", (double)count * (double)size * 1e-6);
         exit(1);

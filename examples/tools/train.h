@@ -132,8 +132,8 @@ typedef struct train_work {
 #define TRAIN__INLINE static inline
 #endif
 
-/* c [6][16] = sum over p of a [p][6] b [p][16]. */
-#if defined(__GNUC__)
+/* c [6][16] = sum over p of a [p][6] b [p][16]. x87's products are long doubles, which have no vectors. */
+#if defined(__GNUC__) && __FLT_EVAL_METHOD__ != 2
 typedef float train__v16 __attribute__((vector_size(64), aligned(4), may_alias));
 TRAIN__INLINE void train__tile_body(int k, const float *a, const float *b, float *c)
 {

@@ -238,6 +238,7 @@ static void draw_weights(net *n, layer *l, int rank, int positive)
     uint64_t state = attack_draw();
     const size_t outputs = l->weight_shape[0];
     size_t i, per;
+    const int any_half = attack_one_in(2), half_scale = attack_one_in(3), half_bias = attack_one_in(3);
     float scale = 1 / 64.0f, *f;
     ms_nn_tensor *t;
     l->weights = 1;
@@ -254,9 +255,17 @@ static void draw_weights(net *n, layer *l, int rank, int positive)
         int k = (int)(attack_mix(&state) % 255) - 127;
         if (positive) k = k < 0 ? -k : k == 0 ? 1 : k;
         if (l->dtype == MS_NN_I8) {
-            scale = (float)(0.001 * (1 + (double)(i / per % 9)));
-            if (i % per == 0) ((float *)l->scale)[i / per] = scale;
+            scale = (float)(1 + i / per % 9) / 64.0f;
+            if (half_scale) ((uint16_t *)l->scale)[i / per] = half_of_64ths((int)(1 + i / per % 9));
+            else ((float *)l->scale)[i / per] = scale = (float)(0.001 * (1 + (double)(i / per % 9)));
             ((signed char *)l->data)[i] = (signed char)k;
+        } else if (l->dtype == MS_NN_F16 && any_half) { /* -1 to 1, evenly over the exponents, subnormals and 0 too */
+            const unsigned bits = (unsigned)(attack_mix(&state) >> 20) % 0x3c01u;
+            const double magnitude = bits < 0x400u ? ldexp((double)bits, -24)
+                                                   : ldexp((double)(0x400u + (bits & 0x3ffu)), (int)(bits >> 10) - 25);
+            ((uint16_t *)l->data)[i] = (uint16_t)(bits | (k < 0 ? 0x8000u : 0u));
+            l->weight[i] = k < 0 ? -magnitude : magnitude;
+            continue;
         } else if (l->dtype == MS_NN_F16) {
             ((uint16_t *)l->data)[i] = half_of_64ths(k);
         } else {
@@ -265,8 +274,10 @@ static void draw_weights(net *n, layer *l, int rank, int positive)
         l->weight[i] = k * (double)scale;
     }
     for (i = 0; i < outputs; ++i) {
-        const float b = (float)((int)(attack_mix(&state) % 201) - 100) / 50.0f;
-        ((float *)l->bias_data)[i] = b;
+        const int k = (int)(attack_mix(&state) % 201) - 100;
+        const float b = (float)k / (half_bias ? 64.0f : 50.0f);
+        if (half_bias) ((uint16_t *)l->bias_data)[i] = half_of_64ths(k);
+        else ((float *)l->bias_data)[i] = b;
         l->bias_value[i] = (double)b;
     }
     t = &n->tensor[n->tensors];
@@ -282,21 +293,21 @@ static void draw_weights(net *n, layer *l, int rank, int positive)
         t = &n->tensor[n->tensors];
         snprintf(n->tensor_name[n->tensors], 320, "%s.weight_scale", l->name);
         t->name = n->tensor_name[n->tensors++];
-        t->dtype = MS_NN_F32;
+        t->dtype = half_scale ? MS_NN_F16 : MS_NN_F32;
         t->rank = 1;
         t->shape = &n->bias_shape[l - n->layer];
         t->data = l->scale;
-        t->bytes = outputs * 4;
+        t->bytes = outputs * (half_scale ? 2 : 4);
     }
     if (l->bias) {
         t = &n->tensor[n->tensors];
         snprintf(n->tensor_name[n->tensors], 320, "%s.bias", l->name);
         t->name = n->tensor_name[n->tensors++];
-        t->dtype = MS_NN_F32;
+        t->dtype = half_bias ? MS_NN_F16 : MS_NN_F32;
         t->rank = 1;
         t->shape = &n->bias_shape[l - n->layer];
         t->data = l->bias_data;
-        t->bytes = outputs * 4;
+        t->bytes = outputs * (half_bias ? 2 : 4);
     }
 }
 
@@ -616,6 +627,80 @@ static void family_graphs(void)
         }
         free(slopes);
     }
+    free(x);
+    ms_nn_destroy(nn);
+    net_free(&n);
+}
+
+/* A collapsed network against the plain loop: the length of the residual, and its gradient against that by the Jacobian
+   of the outputs. */
+static void family_collapse(void)
+{
+    static net n;
+    static value all[LAYERS + 1];
+    static double sample[VALUES];
+    ms_nn_options options = ms_nn_defaults();
+    ms_error error = attack_no_error();
+    ms_nn *nn = NULL;
+    ms_nn_collapse *c = NULL;
+    size_t in, out, i, k, m;
+    double length = 0, wanted = 0, size = 0, doubt = 0, steepest = 0, *residual, *jacobian;
+    float *x, *y, *t, *weight, *slopes;
+    draw_net(&n, 0);
+    options.simd = (ms_simd)attack_index(5);
+    options.allocator = attack_allocator((size_t)1 << 28);
+    if (ms_nn_load(n.file, n.size, &options, &nn, &error) != MS_OK) {
+        net_free(&n);
+        return;
+    }
+    in = ms_nn_input_size(nn);
+    out = ms_nn_output_size(nn);
+    x = (float *)calloc(in + 3 * out + in * out + 1, sizeof(float));
+    y = x + in, t = y + out, weight = t + out, slopes = weight + out;
+    attack_fill(x, in, -1, 1);
+    attack_fill(t, out, -3, 3);
+    for (i = 0; i < out; ++i) weight[i] = attack_one_in(3) ? 0 : (float)attack_log(1e-4, 1e4);
+    if (attack_one_in(3))
+        for (i = 0; i < out; ++i) weight[i] = 1;
+    if (in * out <= 40000 && ms_nn_collapse_create(nn, weight, &c, &error) == MS_OK) {
+        m = ms_nn_collapse_features(c) + 1;
+        residual = (double *)malloc((1 + in) * m * sizeof(double));
+        jacobian = residual + m;
+        ATTACK_CHECK(ms_nn_collapse_residual(c, x, residual, NULL, NULL) == MS_INVALID_ARGUMENT,
+                     "no target, and it runs");
+        ATTACK_CHECK(ms_nn_collapse_target(c, t, &error) == MS_OK, "no target: %s", error.message);
+        ATTACK_CHECK(ms_nn_collapse_residual(c, x, residual, jacobian, NULL) == MS_OK, "no residual");
+        for (i = 0; i < m; ++i) length += residual[i] * residual[i];
+        for (i = 0; i < in; ++i) sample[i] = (double)x[i];
+        forward(&n, sample, all);
+        for (i = 0; i < out; ++i) {
+            const double v = all[n.layers].v[i], d = v - (double)t[i], e = all[n.layers].e[i];
+            wanted += (double)weight[i] * d * d;
+            size += (double)weight[i] * (v * v + (double)t[i] * (double)t[i]);
+            doubt += (double)weight[i] * e * e;
+        }
+        doubt = 8 * sqrt(doubt) + 1e-6 * sqrt(size);
+        ATTACK_CHECK(fabs(sqrt(length) - sqrt(wanted)) <= doubt,
+                     "a residual of length %.9g, the plain loop has %.9g +- %.1e", sqrt(length), sqrt(wanted), doubt);
+        ms_nn_jacobian(nn, x, y, slopes, NULL);
+        for (i = 0; i < in * out; ++i) /* slopes that cancel leave a float's rounding of others */
+            steepest = fmax(steepest, (double)weight[i / in] * (double)slopes[i] * (double)slopes[i]);
+        for (k = 0; k < in && !attack->failed; ++k) {
+            double ours = 0, theirs = 0, steep = 1e-10 * steepest, kept = 0;
+            for (i = 0; i < m; ++i)
+                ours += residual[i] * jacobian[i * in + k], kept += jacobian[i * in + k] * jacobian[i * in + k];
+            for (i = 0; i < out; ++i) {
+                const double s = (double)slopes[i * in + k];
+                theirs += (double)weight[i] * ((double)y[i] - (double)t[i]) * s;
+                steep += (double)weight[i] * s * s;
+            }
+            if (!(fabs(ours - theirs) <=
+                  1e-4 * sqrt(fmax(steep, kept)) * (sqrt(wanted) + sqrt(size)) + sqrt(steep) * doubt))
+                attack_fail("a gradient of %.9g, that of the outputs is %.9g", ours, theirs);
+        }
+        free(residual);
+    }
+    ms_nn_collapse_destroy(c);
     free(x);
     ms_nn_destroy(nn);
     net_free(&n);
@@ -1120,8 +1205,9 @@ static void family_names(void)
 
 int main(int argc, char **argv)
 {
-    static const attack_family families[] = {{"graphs", family_graphs}, {"files", family_files},
-                                             {"sizes", family_sizes},   {"faults", family_faults},
-                                             {"names", family_names},   {"infinities", family_infinities}};
+    static const attack_family families[] = {{"graphs", family_graphs},    {"files", family_files},
+                                             {"sizes", family_sizes},      {"faults", family_faults},
+                                             {"names", family_names},      {"infinities", family_infinities},
+                                             {"collapse", family_collapse}};
     return attack_main(argc, argv, families, (int)(sizeof families / sizeof *families));
 }

@@ -21,7 +21,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     ms_mcml_sums(tally, &count);
     if (words > 0) memcpy(sums, data, 8 * words);
     if (count <= 4096) ms_mcml_add(tally, sums, count, NULL);
-    if (tally_add(tally, &run, data, size, NULL) == MS_OK || ms_mcml_photons(tally) > 0) {
+    if (tally_add(tally, &run, data, size, NULL, NULL) == MS_OK || ms_mcml_photons(tally) > 0) {
         ms_mcml_run(tally, 0, 1, NULL);
         if (ms_mcml_results(tally, &result, NULL) == MS_OK) ms_mcml_result_destroy(&result);
     }
