@@ -219,12 +219,12 @@ static plain_view plain_view_of(const one_case *t, const float (*c)[4])
 {
     plain_view v;
     memset(&v, 0, sizeof v);
-    v.width = (double)c[0][0], v.height = (double)c[0][1], v.pixels = (double)c[0][2], v.gain = (double)c[0][3];
-    v.rotation = (double)c[1][2], v.jitter = (double)c[1][3], v.first = (double)c[2][0];
-    v.slope_scale = (double)c[2][3];
-    v.aspect[0] = (double)c[1][0], v.aspect[1] = (double)c[1][1];
-    v.focal[0] = (double)c[2][1], v.focal[1] = (double)c[2][2];
-    v.center[0] = (double)c[3][0], v.center[1] = (double)c[3][1];
+    v.width = (double)c[0][0], v.height = (double)c[0][1];
+    v.center[0] = (double)c[0][2], v.center[1] = (double)c[0][3];
+    v.pixels = (double)c[1][2], v.aspect[0] = 1, v.aspect[1] = (double)c[1][3] / v.pixels;
+    v.focal[0] = (double)c[2][0], v.focal[1] = (double)c[2][1];
+    v.slope_scale = (double)c[2][2], v.gain = (double)c[2][3];
+    v.rotation = (double)c[3][0], v.jitter = (double)c[3][1], v.first = (double)c[3][2];
     v.of = c + 4;
     v.taps = t->shader.tap_count;
     v.stride = 6 + v.taps / 2;
@@ -323,7 +323,7 @@ static void plain_pass(const one_case *t, const plain_view *v, const plain_pictu
                 mm = v->focal[0] / (v->pixels * (double)of[1][3]);
                 area = 1;
                 if (!v->flat) {
-                    const double most = sqrt((double)of[4][3]) / (double)of[1][3];
+                    const double most = (double)of[0][3] * v->pixels / v->focal[0]; /* the radius, as depth */
                     double slope, towards;
                     for (c = 0; c < 2; ++c)
                         ray[c] = v->perspective ? (((c ? y : x) + 0.5) * in->side - v->center[c]) / v->focal[0] : 0;
@@ -1374,14 +1374,15 @@ static void case_constants(void)
         TEST_FAIL("%s", error.message);
     /* a resize changes size, center, and pixels and focal in proportion to the height */
     memcpy(wanted, constants, sizeof wanted);
-    CHECK_NEAR((double)wanted[0][2], 360 / (2 * tan(20 * 3.14159265358979 / 180) * 10), 1e-4);
+    CHECK_NEAR((double)wanted[1][2], 360 / (2 * tan(20 * 3.14159265358979 / 180) * 10), 1e-4);
     wanted[0][0] = 1280;
     wanted[0][1] = 720;
-    wanted[0][2] *= 2;
+    wanted[0][2] = 640;
+    wanted[0][3] = 360;
+    wanted[1][2] *= 2;
+    wanted[1][3] *= 2;
+    wanted[2][0] *= 2;
     wanted[2][1] *= 2;
-    wanted[2][2] *= 2;
-    wanted[3][0] = 640;
-    wanted[3][1] = 360;
     if (ms_sss_shader_constants(t.kernel, 0, &t.options, 1280, 720, &t.shader, constants, &error) != MS_OK)
         TEST_FAIL("%s", error.message);
     for (i = 0; i < 4 * ms_sss_shader_constant_count(&t.shader); ++i)
@@ -1401,11 +1402,11 @@ static void case_constants(void)
         t.shader.level = i;
         if (ms_sss_shader_constants(NULL, 2, &t.options, 640, 360, &t.shader, constants, &error) != MS_OK)
             TEST_FAIL("%s", error.message);
-        CHECK(constants[0][0] == 640 && constants[0][1] == 360 && constants[0][2] == 0.75f && constants[0][3] == 2);
-        CHECK_NEAR((double)constants[1][3], tan(20 * 3.14159265358979 / 180) / 180, 1e-9); /* of a pixel's ray */
-        CHECK(constants[2][1] == 1 && constants[2][2] == (float)(2 << i));
-        CHECK_NEAR((double)constants[3][0], ms_sss_elevation(0.5, 1) / 4, 1e-6);
-        CHECK_NEAR((double)constants[4][0], 2, 1e-6);
+        CHECK(constants[0][0] == 640 && constants[0][1] == 360 && constants[2][2] == 1 && constants[2][3] == 0.75f);
+        CHECK_NEAR(1 / (double)constants[2][0], tan(20 * 3.14159265358979 / 180) / 180, 1e-9); /* of a pixel's ray */
+        CHECK(constants[3][0] == (float)(2 << i) && constants[3][1] == 2);
+        CHECK_NEAR((double)constants[4][0], ms_sss_elevation(0.5, 1) / 4, 1e-6);
+        CHECK_NEAR((double)constants[5][0], 2, 1e-6);
     }
 }
 

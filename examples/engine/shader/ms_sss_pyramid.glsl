@@ -13,24 +13,20 @@
 // area of surface relative to a pixel's with the change of d a pixel along x and y. d is linear on planes: -1 / depth in
 // perspective, else depth.
 
-#define STEP_OF_D CONSTANT[1].z // a pixel of the picture on a surface of slope 1; perspective: times d
-#define TAP_RADIUS_2 CONSTANT[2].w // square of the radius of a gather in pixels of the coarser level
-#define PROFILE CONSTANT[0].w
-#define PYRAMID_GAIN CONSTANT[0].z // 1 - fade
-#define RADIUS_PX CONSTANT[1].x // of the kernel; perspective: at depth 1
-#define RADIUS_MAX CONSTANT[1].y
-#define PLANE_REACH CONSTANT[2].x // distance from a tangent plane at which weights reach 0, in radii
-#define PYRAMID_SLOPES CONSTANT[2].y // 1 - flat
-#define COARSE_SIDE CONSTANT[2].z // pixels of the picture in one of the coarser level
-#define K_4 CONSTANT[3] // K / 4 of the elevation
-#define TAP_NORM CONSTANT[3].w // of the gather's taps of weight w at distance r: 1 / sum w
-#define RAISE_MAX CONSTANT[4] // 1 / reflectance
-#define TAP_MEAN CONSTANT[4].w // E r / E r^2
-#define TAP_SPREAD CONSTANT[5].x // E r^2 / E r^4
-#define TAP_ROUNDING CONSTANT[5].y // what rounding adds to a sine; orthographic: times d
+#define COARSE_SIDE CONSTANT[HEAD - 1].x // pixels of the picture in one of the coarser level
+#define PROFILE CONSTANT[HEAD - 1].y
+#define KERNEL_MM CONSTANT[HEAD - 1].z // radius
+#define PLANE_REACH CONSTANT[HEAD - 1].w // distance from a tangent plane at which weights reach 0, in radii
+#define K_4 CONSTANT[HEAD].rgb // K / 4 of the elevation
+#define COARSER CONSTANT[HEAD].w // 0: this is the last level; 1: there is a coarser one; 2: which has sums
+#define RAISE_MAX CONSTANT[HEAD + 1].rgb // 1 / reflectance
+#define TAP_RADIUS_2 CONSTANT[HEAD + 1].w // square of the radius of a gather in pixels of the coarser level
+#define TAP_NORM CONSTANT[HEAD + 2].x // of the gather's taps of weight w at distance r: 1 / sum w
+#define TAP_MEAN CONSTANT[HEAD + 2].y // E r / E r^2
+#define TAP_SPREAD CONSTANT[HEAD + 2].z // E r^2 / E r^4
+#define TAP_ROUNDING CONSTANT[HEAD + 2].w // what rounding adds to a sine; orthographic: times d
 #define TAP_BEND 0.743933 // E r^2 / 2 E x^2 of the picture's gather, x from pixel to pixel
 #define FACET 0.02 // what triangles of a mesh bulge, in pixels
-#define COARSER CONSTANT[5].w // 0: this is the last level; 1: there is a coarser one; 2: which has sums
 
 #if !BASE
 TEXTURE(ms_sss_surface, fetch_surface, 8, t8)
@@ -41,18 +37,13 @@ TEXTURE(ms_sss_coarse_surface, fetch_coarse_surface, 10, t10)
 TEXTURE(ms_sss_weight, fetch_weight, 11, t11)
 #endif
 
-// What a step writes to its second target, or, of gather, the sums of weights.
-#if defined(MS_SSS_HLSL)
-static float4 ms_sss_other;
-#elif !defined(MS_SSS_WGSL)
-vec4 ms_sss_other;
-#endif
-
 // Pixels of the picture that lie as far apart as a step of d is deep.
-float deep_of(float d) { return 1.0 / (STEP_OF_D * relative(-d)); }
+float deep_of(float d) { return FOCAL.x / relative(-d); }
 
 // The kernel's radius in pixels of the picture.
-float radius_of(float d) { return min(RADIUS_PX * relative(-d), RADIUS_MAX); }
+float radius_of(float d) {
+    return min(PIXELS_PER_MM.x * KERNEL_MM * relative(-d), max(PICTURE_SIZE.x, PICTURE_SIZE.y));
+}
 
 float falloff(float x) {
     float f = max(1.0 - x * x, 0.0);
@@ -62,15 +53,11 @@ float falloff(float x) {
 #if BASE
 float4 filter_pixel(int2 p) {
     float4 own = source(p);
-    float d = pick(own.a, -1.0 / own.a, MS_SSS_PERSPECTIVE > 0);
-    float2 slope = zero2;
     ms_sss_other = zero4;
     if (!(own.a > 0.0)) { return zero4; }
-#if SLOPES
-    slope = PYRAMID_SLOPES * slopes_of(p, own, float2(1.0, 1.0) / STEP_OF_D, radius_of(d));
-#endif
-    float step = STEP_OF_D * relative(-d);
-    ms_sss_other = float4(min(area_of(slope, ray_of(p)), 10.0), slope.x * step, slope.y * step, 0.0);
+    float d = pick(own.a, -1.0 / own.a, MS_SSS_PERSPECTIVE > 0);
+    float2 slope = slopes_of(p, own, KERNEL_MM);
+    ms_sss_other = float4(min(area_of(slope, ray_of(p)), 10.0), slope / deep_of(d), 0.0);
     return float4(own.rgb, d);
 }
 #endif
@@ -121,13 +108,12 @@ float4 filter_pixel(int2 p) {
         greatest = max(greatest, there.a);
         light = light + f * float4(there.rgb, there.a - rise);
         float part = f / max(surface.r, 1.0);
-        surfaces = surfaces + float3(f, part * surface.g, part * surface.b);
+        surfaces = surfaces + float3(f, part * surface.gb);
         seen = seen + part;
     }
     if (!(surfaces.r > 1e-20)) { return zero4; }
     light = light / surfaces.r;
-    change = 2.0 * surfaces.gb / seen;
-    ms_sss_other = float4(surfaces.r, change.x, change.y, 0.0);
+    ms_sss_other = float4(surfaces.r, 2.0 * surfaces.gb / seen, 0.0);
     return float4(light.rgb, clamp(light.a, least, greatest));
 }
 #endif
@@ -139,23 +125,23 @@ float3 weight_at(float size, int table) {
     float low = float_of(uint(0x3f800000 + (i << 21u)));
     float high = float_of(uint(0x3f800000 + ((i + 1) << 21u)));
     float t = clamp((size - low) / (high - low), 0.0, 1.0);
-    return CONSTANT[table + i].rgb + t * (CONSTANT[table + i + 1].rgb - CONSTANT[table + i].rgb);
+    i = i + HEAD + 3 + table * SIZES;
+    return CONSTANT[i].rgb + t * (CONSTANT[i + 1].rgb - CONSTANT[i].rgb);
 }
 
 // light times the mean of (1 + K / 4 sin theta)^4, of a sine of mean m = moment / light and mean square s:
 // u^2 (u^2 + 6 (K / 4)^2 (s - m^2)) with u = 1 + K / 4 m, the terms up to the variance. of m, grain may be rounding.
-float raise(float light, float moment, float square, float grain, float quarter, float most) {
-    float mean = 0.0;
-    if (abs(light) > 0.0) { mean = moment / light; }
-    mean = clamp(mean - clamp(mean, -grain, grain), -1.0, 1.0);
-    float u = max(quarter * mean + 1.0, 0.0);
-    float spread = max(square - (grain * grain + mean * mean), 0.0);
-    return light * min(u * u * (6.0 * spread * quarter * quarter + u * u), most);
+float3 raise(float3 light, float3 moment, float square, float grain) {
+    float3 mean = moment * light / max(light * light, 1e-30 * one3);
+    mean = clamp(mean - clamp(mean, -grain * one3, grain * one3), -one3, one3);
+    float3 u = max(K_4 * mean + one3, zero3);
+    float3 spread = max(square * one3 - (grain * grain * one3 + mean * mean), zero3);
+    return light * min(u * u * (6.0 * spread * K_4 * K_4 + u * u), RAISE_MAX);
 }
 
 // Distance from the tangent plane that says nothing of the shape next to a pixel: triangles of a mesh, flattened slopes.
 float facet_of(float area, float2 slope) {
-    return FACET * area + (abs(slope.x) + abs(slope.y)) * (2.0 / max(PYRAMID_SLOPES, 1e-3) - 2.0);
+    return FACET * area + (abs(slope.x) + abs(slope.y)) * (2.0 / max(SLOPE_SCALE, 1e-3) - 2.0);
 }
 
 // The light of the next coarser level from up to 6 x 6 of its pixels around, by weights (1 - r^2 / R^2)^2 of the distance
@@ -212,11 +198,9 @@ float3 gather(int2 p, float d, float2 change) {
         moment = zero3;
     }
     square = square * facing * facing * TAP_SPREAD / max(weight, 1e-30);
-    light = float3(raise(light.r, moment.r * turn, square, grain, K_4.r, RAISE_MAX.r),
-        raise(light.g, moment.g * turn, square, grain, K_4.g, RAISE_MAX.g),
-        raise(light.b, moment.b * turn, square, grain, K_4.b, RAISE_MAX.b));
+    light = raise(light, moment * turn, square, grain);
 #endif
-    float3 share = weight_at(radius / cap, HEAD) * (TAP_NORM / (cap * cap));
+    float3 share = weight_at(radius / cap, 0) * (TAP_NORM / (cap * cap));
     ms_sss_other = float4(weights + share * weight, 0.0);
     return sums + share * light;
 }
@@ -241,8 +225,8 @@ float4 filter_pixel(int2 pixel) {
     float deep = deep_of(own.a);
     float radius = radius_of(own.a);
     float size = radius / clamp(surface.r, 1.0, 1.5);
-    float3 weight = weight_at(size, HEAD + SIZES);
-    float3 blurred = weight_at(size, HEAD + 2 * SIZES);
+    float3 weight = weight_at(size, 1);
+    float3 blurred = weight_at(size, 2);
     float3 near_light = zero3;
     float3 near_factor = zero3; // sum of the weights times elevation
     float near_weight = 0.0;
@@ -250,8 +234,7 @@ float4 filter_pixel(int2 pixel) {
         int2 beside = int2(i % 3 - 1, i / 3 - 1);
         if (!inside(p + beside)) { continue; }
         float4 there = fetch_input(p + beside);
-        float rise = dot(float2(float(beside.x), float(beside.y)), surface.gb);
-        float away = (there.a - own.a - rise) * deep;
+        float away = (there.a - own.a - dot(float2(beside), surface.gb)) * deep;
         float f = max(1.0 - 0.25 * away * away, 0.0);
         f = f * f * pick(0.25, 0.5, beside.x == 0) * pick(0.25, 0.5, beside.y == 0);
         if (!(abs(there.a) > 0.0)) { continue; }
@@ -263,7 +246,7 @@ float4 filter_pixel(int2 pixel) {
             float sine = max(away - facet_of(area, surface.gb * deep) - grain, 0.0) / area;
             sine = sine * clamp(2.0 - 0.1 * radius, 0.0, 1.0);
             sine = min(sine * pick(0.70710678, 1.0, beside.x == 0 || beside.y == 0), 1.0);
-            lift = one3 + K_4.rgb * sine;
+            lift = one3 + K_4 * sine;
             lift = lift * lift * lift * lift;
         }
 #endif
@@ -273,7 +256,7 @@ float4 filter_pixel(int2 pixel) {
     }
 #if !MS_SSS_FLAT
     // Constant light is not amplified above 1 / reflectance.
-    near_light = near_light * min(near_weight * RAISE_MAX.rgb / max(near_factor, 1e-30 * one3), one3);
+    near_light = near_light * min(near_weight * RAISE_MAX / max(near_factor, 1e-30 * one3), one3);
 #endif
     float3 sum = weight * own.rgb + blurred * near_light;
     weight = weight + blurred * near_weight;
@@ -281,29 +264,7 @@ float4 filter_pixel(int2 pixel) {
         sum = sum + gather(p, own.a, surface.gb);
         weight = weight + ms_sss_other.rgb;
     }
-    float strength = PYRAMID_GAIN * clamp(2.0 * radius - 1.0, 0.0, 1.0);
-#if MS_SSS_STRENGTH
-    strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);
-#endif
-    float3 light = float3(pick(own.r, sum.r / weight.r, weight.r > 1e-30),
-        pick(own.g, sum.g / weight.g, weight.g > 1e-30), pick(own.b, sum.b / weight.b, weight.b > 1e-30));
-    return float4(own.rgb + strength * (light - own.rgb), 1.0);
-}
-#endif
-
-#if defined(MS_SSS_HLSL)
-struct ms_sss_targets { float4 first : SV_Target0; float4 other : SV_Target1; };
-ms_sss_targets main(float4 position : SV_Position) {
-    ms_sss_targets to;
-    to.first = filter_pixel(int2(position.xy));
-    to.other = ms_sss_other;
-    return to;
-}
-#elif !defined(MS_SSS_WGSL)
-layout(location = 0) out vec4 ms_sss_out;
-layout(location = 1) out vec4 ms_sss_out_other;
-void main() {
-    ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy));
-    ms_sss_out_other = ms_sss_other;
+    float strength = GAIN * strength_of(pixel) * clamp(2.0 * radius - 1.0, 0.0, 1.0);
+    return float4(own.rgb + strength * (mean_of(sum, weight, own.rgb) - own.rgb), 1.0);
 }
 #endif
