@@ -3994,13 +3994,15 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
     ms_sss__pass pass;
     ms_status status;
     int pyramid, count, terms = 0, i;
-    float flat, focal;
+    float flat, mm_per_unit;
     if ((status = ms_sss__check_shader(shader, error)) != MS_OK) return status;
     if (!options) return MS_SSS__REFUSE(error, "options is NULL");
     if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
     if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
     if (!out) return MS_SSS__REFUSE(error, "out is NULL");
     view = ms_sss__make_view(options, width, height);
+    flat = options->flat;
+    mm_per_unit = (float)view.mm_per_unit;
     pyramid = ms_sss__is_pyramid_step(shader);
     count = ms_sss__shader_profiles(shader);
     if (pyramid) {
@@ -4028,16 +4030,16 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
 
     /* all is checked before anything is written */
     memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
-    flat = ms_sss__uses_depth(options, 1) ? options->flat : 1;
-    focal = (float)(view.pixels_per_mm * view.mm_per_unit);
-    if (pyramid && !ms_sss__uses_depth(options, 1)) focal = 1e-30f; /* depth only scales the kernel: nothing is deep */
+    if (!ms_sss__uses_depth(options, 1)) flat = 1;
+    if (pyramid && !ms_sss__uses_depth(options, 1)) mm_per_unit = 1e-20f; /* depth only scales: nothing is deep */
     {
-        const float head[MS_SSS__SHADER_HEAD][4] = {{(float)width, (float)height, view.middle[0], view.middle[1]},
-                                                    {(float)shader->origin[0], (float)shader->origin[1],
-                                                     (float)view.pixels_per_mm,
-                                                     (float)view.pixels_per_mm * view.aspect[1]},
-                                                    {focal, focal * view.aspect[1], 1 - flat, 1 - shader->fade},
-                                                    {shader->rotation, shader->jitter, index == 0 ? 1.0f : 0.0f, 0}};
+        const float pixels = (float)view.pixels_per_mm, first = index == 0;
+        const float head[MS_SSS__SHADER_HEAD][4] = {
+            {(float)width, (float)height, view.middle[0], view.middle[1]},
+            {(float)shader->origin[0], (float)shader->origin[1], pixels, pixels * view.aspect[1]},
+            {mm_per_unit, (float)view.perspective, 1 - flat, 1 - shader->fade},
+            {shader->rotation, shader->jitter, first, 0},
+        };
         memcpy(out, head, sizeof head);
     }
     if (pyramid) ms_sss__level_constants(&shader->pyramids[index], index, options, &view, shader, out);

@@ -222,7 +222,6 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
     s.pyramids = &pyramid;
     memset(&about, 0, sizeof about);
     about.language = SSS_GLSL_330;
-    about.perspective = 1;
     about.flat = !c->slopes;
     about.fetch = in_alpha;
     s.half_resolution = c->other == HALF;

@@ -18,7 +18,6 @@
 //     MS_SSS_TAPS         7        ms_sss_shader.tap_count
 //     MS_SSS_PROFILES     0        kernels that ms_sss_fetch_profile selects from, up to 16; 0: one, no profiles
 //     MS_SSS_TERMS        1        of UP: the most terms of any of the kernels
-//     MS_SSS_PERSPECTIVE  1        0: orthographic, or a light map
 //     MS_SSS_FLAT         0        1: without slopes and elevation, where options.flat is 1
 //     MS_SSS_NORMAL       0        1: slopes from normals; 0: from depth
 //     MS_SSS_STRENGTH     0        1: with strength
@@ -52,9 +51,6 @@
 #endif
 #ifndef MS_SSS_TERMS
 #define MS_SSS_TERMS 1
-#endif
-#ifndef MS_SSS_PERSPECTIVE
-#define MS_SSS_PERSPECTIVE 1
 #endif
 #ifndef MS_SSS_FLAT
 #define MS_SSS_FLAT 0
@@ -127,10 +123,10 @@
 #define fetch_profile(p) 0
 #endif
 
-// Float4 of the constants: before the profiles (HEAD), of a profile (STRIDE), and in all.
+// Float4 of the constants: before the profiles (HEAD), of a profile (STRIDE), of a pyramid's three tables (SIZES), in all.
 #define HEAD 4
 #define STRIDE (6 + MS_SSS_TAPS / 2)
-#define SIZES 49 // of each of a pyramid's three tables, behind 3 float4
+#define SIZES 49
 #if PYRAMID
 #define COUNT (HEAD + 3 + 3 * SIZES)
 #elif UP
@@ -145,7 +141,8 @@
 #define CENTER CONSTANT[0].zw // of the projection, in pixels
 #define ORIGIN CONSTANT[1].xy // the viewport's corner
 #define PIXELS_PER_MM CONSTANT[1].zw // along x and y; perspective: at depth 1
-#define FOCAL CONSTANT[2].xy // pixels a unit of depth; perspective: at depth 1
+#define MM_PER_UNIT CONSTANT[2].x // of depth
+#define PERSPECTIVE CONSTANT[2].y // 1; 0: orthographic, or a light map
 #define SLOPE_SCALE CONSTANT[2].z // 1 - flat
 #define GAIN CONSTANT[2].w // 1 - fade
 // of X and Y; those of the pyramid stand in its file
@@ -211,7 +208,7 @@ void main() { ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy)); }
 // ---- a pixel: its light, depth, profile, and the slopes of its surface ------------------------------------------------
 
 // Pixels of the picture along the side of one of this step's.
-float side() { return pick(pick(1.0, 2.0, HALVED), 0.5 * CONSTANT[HEAD - 1].x, PYRAMID); }
+float side() { return pick(pick(1.0, 2.0, HALVED), 0.5 * CONSTANT[3].x, PYRAMID); }
 
 // The corner of the viewport; targets of half the size have none.
 int2 origin() { return int2(ORIGIN) * pick(1, 0, HALVED); }
@@ -222,12 +219,15 @@ bool inside(int2 p) {
 }
 
 // In perspective a pixel shows a width in proportion to its depth.
-float relative(float depth) { return pick(1.0, depth, MS_SSS_PERSPECTIVE > 0); }
+float relative(float depth) { return pick(1.0, depth, PERSPECTIVE > 0.5); }
+
+// Pixels a unit of depth along x and y; perspective: at depth 1. A slope is this times the change of depth a pixel.
+float2 focal() { return PIXELS_PER_MM * MM_PER_UNIT; }
 
 // (x, y) / z of a pixel's ray.
 float2 ray_of(int2 p) {
     float2 middle = (float2(p) + float2(0.5, 0.5)) * side();
-    return (middle - CENTER) * float(MS_SSS_PERSPECTIVE) / FOCAL.x;
+    return (middle - CENTER) * PERSPECTIVE / focal().x;
 }
 
 // The area of a surface over that of a surface that faces the ray, at the same depth: |(slope, 1 + slope . ray)|.
@@ -250,25 +250,22 @@ float strength_of(int2 p) {
 #endif
 }
 
-#if PACKED
-// The last 4 bits of blue hold the profile. Those of 0 would be flushed, so 0 becomes 1e-30.
+// Where kernels differ the last 4 bits of blue hold the profile. Those of 0 would be flushed, so 0 becomes 1e-30.
 float pack(float blue, int profile) {
-    return float_of(((bits_of(pick(blue, 1e-30, abs(blue) < 1e-30)) + 8u) & 0xfffffff0u) | uint(profile));
+    uint bits = bits_of(pick(blue, 1e-30, abs(blue) < 1e-30)) + 8u;
+    return pick(blue, float_of((bits & 0xfffffff0u) | uint(profile)), PACKED);
 }
-int profile_of(float4 c) { return int(bits_of(c.b) & 15u); }
-#else
-float pack(float blue, int profile) { return blue; }
-int profile_of(float4 c) { return 0; }
-#endif
+int profile_of(float4 c) { return pick(0, int(bits_of(c.b) & 15u), PACKED); }
 
 // Light and depth of a pixel; alpha 0: masked.
-float4 source(int2 p) {
+float4 texel(int2 p) {
+    if (!inside(p)) { return zero4; }
     int2 at = p + origin();
 #if RAW
     float3 c = ms_sss_fetch_color(at);
     float depth = ms_sss_fetch_depth(at);
     int profile = fetch_profile(at);
-    bool known = pick(profile >= 0 && profile < KERNELS, profile == int(CONSTANT[HEAD - 1].y), PYRAMID);
+    bool known = pick(profile >= 0 && profile < KERNELS, profile == int(CONSTANT[3].y), PYRAMID);
     bool lit = finite(c.r) && finite(c.g) && finite(c.b) && strength_of(at) > 0.0;
     if (!(known && lit && depth > 0.0 && finite(depth))) { return zero4; }
     return float4(c.rg, pack(c.b, profile), depth);
@@ -276,11 +273,6 @@ float4 source(int2 p) {
     float4 c = fetch_input(at);
     return pick(zero4, c, c.a > 0.0);
 #endif
-}
-
-float4 texel(int2 p) {
-    if (!inside(p)) { return zero4; }
-    return source(p);
 }
 
 // Neither is masked, and both have one profile.
@@ -291,24 +283,23 @@ bool same(float4 a, float4 b) { return a.a > 0.0 && profile_of(a) == profile_of(
 // most is an edge. Where the slopes on both sides agree, their mean. Else the smaller one: near a silhouette depth
 // falls as the root of the distance to it, a difference of one pixel underestimates the slope, and the ratio of the last
 // two differences tells by how much, if it is more than rounding.
-float slope_along(int2 p, int2 step, float4 own, float focal, float most) {
+float slope_along(int2 p, int2 step, float4 own, float scale, float most) {
     float4 before = texel(p - step);
     float4 after = texel(p + step);
     float a = own.a - before.a;
     float b = after.a - own.a;
-    float2 scale = float2(relative(before.a), relative(after.a));
-    float2 edge = most * pick(float2(1.0, 1.0), scale / relative(own.a), PYRAMID); // a pyramid's is one of slopes
+    float2 width = float2(relative(before.a), relative(after.a));
+    float2 edge = most * pick(float2(1.0, 1.0), width / relative(own.a), PYRAMID); // a pyramid's is one of slopes
     bool on_a = same(before, own) && abs(a) < edge.x;
     bool on_b = same(after, own) && abs(b) < edge.y;
-    a = focal * a / scale.x;
-    b = focal * b / scale.y;
+    a = scale * a / width.x;
+    b = scale * b / width.y;
     a = pick(pick(0.0, b, on_b), a, on_a);
     b = pick(a, b, on_b);
     float slope = 0.5 * (a + b);
     if ((on_a || on_b) && !(on_a && on_b && abs(a - b) < 0.5 * (a * b + 1.0))) {
         bool back = on_a && (!on_b || abs(a) < abs(b));
-        if (abs(a) < abs(b)) { slope = a; }
-        if (abs(b) < abs(a)) { slope = b; }
+        slope = pick(pick(slope, b, abs(b) < abs(a)), a, abs(a) < abs(b));
         float next = pick(after.a, before.a, back);
         float4 beyond = texel(p + step * pick(2, -2, back));
         float outer_step = (own.a - next) * relative(beyond.a);
@@ -333,14 +324,21 @@ float2 slopes_of(int2 p, float4 own, float radius_mm) {
     bool valid = finite(normal.x) && finite(normal.y) && finite(normal.z);
     return SLOPE_SCALE * pick(zero2, normal.xy / facing, facing > 0.0 && valid);
 #elif SLOPES
-    float most = radius_mm * PIXELS_PER_MM.x / FOCAL.x;
-    float2 focal = FOCAL / side();
-    float along_x = slope_along(p, int2(1, 0), own, focal.x, most);
-    float along_y = slope_along(p, int2(0, 1), own, focal.y, most);
+    float most = radius_mm / MM_PER_UNIT;
+    float2 scale = focal() / side();
+    float along_x = slope_along(p, int2(1, 0), own, scale.x, most);
+    float along_y = slope_along(p, int2(0, 1), own, scale.y, most);
     return SLOPE_SCALE * float2(along_x, along_y);
 #else
     return zero2;
 #endif
+}
+
+// How much more light enters below the tangent plane, at this sine of the elevation; not below 0.
+float3 lift_of(float sine, float3 elevation) {
+    float least = -1.0 / max(1.0, max(elevation.r, max(elevation.g, elevation.b)));
+    float3 lift = one3 + elevation * clamp(sine, least, 1.0);
+    return lift * lift * lift * lift;
 }
 
 // A mean; where there is no weight, the pixel's own light.
@@ -417,7 +415,7 @@ float3 self_weight(float depth, int at) {
 // each solved from after = s' before + (1 - s') rest with its own s', interpolated (3/4, 1/4) where depths are near.
 float4 filter_pixel(int2 pixel) {
     int2 p = pixel - origin();
-    float4 own = source(p);
+    float4 own = texel(p);
     float3 light = ms_sss_fetch_color(pixel);
     if (!(own.a > 0.0)) { return float4(light, 1.0); }
     int at = kernel_of(own);
@@ -448,13 +446,6 @@ float4 filter_pixel(int2 pixel) {
 float angle_of(int2 p, float range) {
     float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;
     return ROTATION + JITTER * turn * (range / 64.0);
-}
-
-// How much more light enters below the tangent plane, at this sine of the elevation; not below 0.
-float3 lift_of(float sine, float3 elevation) {
-    float least = -1.0 / max(1.0, max(elevation.r, max(elevation.g, elevation.b)));
-    float3 lift = one3 + elevation * clamp(sine, least, 1.0);
-    return lift * lift * lift * lift;
 }
 
 // Rounding of a difference of depths to a tangent plane, so many pixels away.
@@ -515,8 +506,8 @@ float4 filter_pixel(int2 pixel) {
     float slope = dot(axis, slopes);
     float2 across = axis + slope * ray;
     pixels = pixels / sqrt(dot(across, across) + slope * slope);
-    plane = slopes * side() / FOCAL;
-    float mm = FOCAL.x / (PIXELS_PER_MM.x * DEPTH_SCALE(at)); // of a unit of dz
+    plane = slopes * side() / focal();
+    float mm = MM_PER_UNIT / DEPTH_SCALE(at); // of a unit of dz
     float facing = mm / area_of(slopes, ray);
 #endif
     axis = axis * pixels;

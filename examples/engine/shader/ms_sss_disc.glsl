@@ -16,14 +16,14 @@ float4 filter_pixel(int2 pixel) {
     // The plane's depth a column and a row, and its tangents over a pixel along x and y, at depth 1.
     float2 slopes = slopes_of(p, own, RADIUS_MM(at));
     float2 ray = ray_of(p);
-    float2 plane = slopes / FOCAL;
+    float2 plane = slopes / focal();
     float3 across = float3(1.0 + slopes.x * ray.x, slopes.x * ray.y, slopes.x);
     float3 down = float3(slopes.y * ray.x, 1.0 + slopes.y * ray.y, slopes.y);
     // A point (a, b) mm away, by an orthonormal base of the plane, is a (1 / |across|, 0) + b (-shear, 1) / |rest| pixels.
     float shear = dot(across, down) / dot(across, across);
     float3 rest = down - shear * across;
     float2 lengths = float2(1.0 / sqrt(dot(across, across)), 1.0 / sqrt(dot(rest, rest)));
-    float mm = FOCAL.x / (PIXELS_PER_MM.x * DEPTH_SCALE(at)); // of a unit of dz
+    float mm = MM_PER_UNIT / DEPTH_SCALE(at); // of a unit of dz
     float facing = mm / area_of(slopes, ray);
 
     float3 result = own.rgb * TAP(at, 0).rgb;

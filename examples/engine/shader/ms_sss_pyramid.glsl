@@ -13,18 +13,18 @@
 // area of surface relative to a pixel's with the change of d a pixel along x and y. d is linear on planes: -1 / depth in
 // perspective, else depth.
 
-#define COARSE_SIDE CONSTANT[HEAD - 1].x // pixels of the picture in one of the coarser level
-#define PROFILE CONSTANT[HEAD - 1].y
-#define KERNEL_MM CONSTANT[HEAD - 1].z // radius
-#define PLANE_REACH CONSTANT[HEAD - 1].w // distance from a tangent plane at which weights reach 0, in radii
-#define K_4 CONSTANT[HEAD].rgb // K / 4 of the elevation
-#define COARSER CONSTANT[HEAD].w // 0: this is the last level; 1: there is a coarser one; 2: which has sums
-#define RAISE_MAX CONSTANT[HEAD + 1].rgb // 1 / reflectance
-#define TAP_RADIUS_2 CONSTANT[HEAD + 1].w // square of the radius of a gather in pixels of the coarser level
-#define TAP_NORM CONSTANT[HEAD + 2].x // of the gather's taps of weight w at distance r: 1 / sum w
-#define TAP_MEAN CONSTANT[HEAD + 2].y // E r / E r^2
-#define TAP_SPREAD CONSTANT[HEAD + 2].z // E r^2 / E r^4
-#define TAP_ROUNDING CONSTANT[HEAD + 2].w // what rounding adds to a sine; orthographic: times d
+#define COARSE_SIDE CONSTANT[3].x // pixels of the picture in one of the coarser level
+#define PROFILE CONSTANT[3].y
+#define KERNEL_MM CONSTANT[3].z // radius
+#define PLANE_REACH CONSTANT[3].w // distance from a tangent plane at which weights reach 0, in radii
+#define K_4 CONSTANT[4].rgb // K / 4 of the elevation
+#define COARSER CONSTANT[4].w // 0: this is the last level; 1: there is a coarser one; 2: which has sums
+#define RAISE_MAX CONSTANT[5].rgb // 1 / reflectance
+#define TAP_RADIUS_2 CONSTANT[5].w // square of the radius of a gather in pixels of the coarser level
+#define TAP_NORM CONSTANT[6].x // of the gather's taps of weight w at distance r: 1 / sum w
+#define TAP_MEAN CONSTANT[6].y // E r / E r^2
+#define TAP_SPREAD CONSTANT[6].z // E r^2 / E r^4
+#define TAP_ROUNDING CONSTANT[6].w
 #define TAP_BEND 0.743933 // E r^2 / 2 E x^2 of the picture's gather, x from pixel to pixel
 #define FACET 0.02 // what triangles of a mesh bulge, in pixels
 
@@ -38,7 +38,7 @@ TEXTURE(ms_sss_weight, fetch_weight, 11, t11)
 #endif
 
 // Pixels of the picture that lie as far apart as a step of d is deep.
-float deep_of(float d) { return FOCAL.x / relative(-d); }
+float deep_of(float d) { return focal().x / relative(-d); }
 
 // The kernel's radius in pixels of the picture.
 float radius_of(float d) {
@@ -52,10 +52,10 @@ float falloff(float x) {
 
 #if BASE
 float4 filter_pixel(int2 p) {
-    float4 own = source(p);
+    float4 own = texel(p);
     ms_sss_other = zero4;
     if (!(own.a > 0.0)) { return zero4; }
-    float d = pick(own.a, -1.0 / own.a, MS_SSS_PERSPECTIVE > 0);
+    float d = pick(own.a, -1.0 / own.a, PERSPECTIVE > 0.5);
     float2 slope = slopes_of(p, own, KERNEL_MM);
     ms_sss_other = float4(min(area_of(slope, ray_of(p)), 10.0), slope / deep_of(d), 0.0);
     return float4(own.rgb, d);
@@ -139,6 +139,9 @@ float3 raise(float3 light, float3 moment, float square, float grain) {
     return light * min(u * u * (6.0 * spread * K_4 * K_4 + u * u), RAISE_MAX);
 }
 
+// What rounding of d may add to a sine of the gather.
+float grain_of(float d) { return TAP_ROUNDING * pick(abs(d), 1.0, PERSPECTIVE > 0.5); }
+
 // Distance from the tangent plane that says nothing of the shape next to a pixel: triangles of a mesh, flattened slopes.
 float facet_of(float area, float2 slope) {
     return FACET * area + (abs(slope.x) + abs(slope.y)) * (2.0 / max(SLOPE_SCALE, 1e-3) - 2.0);
@@ -188,18 +191,15 @@ float3 gather(int2 p, float d, float2 change) {
             weights = weights + t * fetch_weight(q).rgb;
         }
     }
-#if !MS_SSS_FLAT
     float facing = 1.0 / (cap * area);
     float turn = facing * TAP_MEAN;
-    float grain = turn * TAP_ROUNDING;
-    grain = grain * pick(d, 1.0, MS_SSS_PERSPECTIVE > 0);
+    float grain = turn * grain_of(d);
     if (!((abs(slope.x) + abs(slope.y)) * 0.5 * cells < radius)) { // too steep for a tangent plane on this level
         square = 0.0;
         moment = zero3;
     }
     square = square * facing * facing * TAP_SPREAD / max(weight, 1e-30);
     light = raise(light, moment * turn, square, grain);
-#endif
     float3 share = weight_at(radius / cap, 0) * (TAP_NORM / (cap * cap));
     ms_sss_other = float4(weights + share * weight, 0.0);
     return sums + share * light;
@@ -227,6 +227,8 @@ float4 filter_pixel(int2 pixel) {
     float size = radius / clamp(surface.r, 1.0, 1.5);
     float3 weight = weight_at(size, 1);
     float3 blurred = weight_at(size, 2);
+    float area = max(surface.r, 1.0);
+    float facet = facet_of(area, surface.gb * deep) + 2.0 * grain_of(own.a);
     float3 near_light = zero3;
     float3 near_factor = zero3; // sum of the weights times elevation
     float near_weight = 0.0;
@@ -238,26 +240,15 @@ float4 filter_pixel(int2 pixel) {
         float f = max(1.0 - 0.25 * away * away, 0.0);
         f = f * f * pick(0.25, 0.5, beside.x == 0) * pick(0.25, 0.5, beside.y == 0);
         if (!(abs(there.a) > 0.0)) { continue; }
-        float3 lift = one3;
-#if !MS_SSS_FLAT
-        if (i != 4) { // elevation: sin(theta) over the distance of 1 or sqrt(2) pixels; none from a radius of 20 on
-            float grain = 2.0 * TAP_ROUNDING * pick(abs(own.a), 1.0, MS_SSS_PERSPECTIVE > 0);
-            float area = max(surface.r, 1.0);
-            float sine = max(away - facet_of(area, surface.gb * deep) - grain, 0.0) / area;
-            sine = sine * clamp(2.0 - 0.1 * radius, 0.0, 1.0);
-            sine = min(sine * pick(0.70710678, 1.0, beside.x == 0 || beside.y == 0), 1.0);
-            lift = one3 + K_4 * sine;
-            lift = lift * lift * lift * lift;
-        }
-#endif
+        // Elevation: sin(theta) over the distance of 1 or sqrt(2) pixels; none from a radius of 20 on.
+        float sine = max(away - facet, 0.0) / area * clamp(2.0 - 0.1 * radius, 0.0, 1.0);
+        float3 lift = lift_of(sine * pick(0.70710678, 1.0, beside.x == 0 || beside.y == 0), K_4);
         near_light = near_light + f * lift * there.rgb;
         near_factor = near_factor + f * lift;
         near_weight = near_weight + f;
     }
-#if !MS_SSS_FLAT
     // Constant light is not amplified above 1 / reflectance.
     near_light = near_light * min(near_weight * RAISE_MAX / max(near_factor, 1e-30 * one3), one3);
-#endif
     float3 sum = weight * own.rgb + blurred * near_light;
     weight = weight + blurred * near_weight;
     if (COARSER > 0.5) {

@@ -5,7 +5,7 @@
 // ---- a pixel: its light, depth, profile, and the slopes of its surface ------------------------------------------------
 
 // Pixels of the picture along the side of one of this step's.
-fn side() -> f32 { return select(select(1.0, 2.0, false), 0.5 * ms_sss.v[4 - 1].x, false); }
+fn side() -> f32 { return select(select(1.0, 2.0, false), 0.5 * ms_sss.v[3].x, false); }
 
 // The corner of the viewport; targets of half the size have none.
 fn origin() -> vec2<i32> { return vec2<i32>(ms_sss.v[1].xy) * select(1, 0, false); }
@@ -16,12 +16,15 @@ fn inside(p: vec2<i32>) -> bool {
 }
 
 // In perspective a pixel shows a width in proportion to its depth.
-fn relative(depth: f32) -> f32 { return select(1.0, depth, 1 > 0); }
+fn relative(depth: f32) -> f32 { return select(1.0, depth, ms_sss.v[2].y > 0.5); }
+
+// Pixels a unit of depth along x and y; perspective: at depth 1. A slope is this times the change of depth a pixel.
+fn focal() -> vec2<f32> { return ms_sss.v[1].zw * ms_sss.v[2].x; }
 
 // (x, y) / z of a pixel's ray.
 fn ray_of(p: vec2<i32>) -> vec2<f32> {
     var middle: vec2<f32> = (vec2<f32>(p) + vec2<f32>(0.5, 0.5)) * side();
-    return (middle - ms_sss.v[0].zw) * f32(1) / ms_sss.v[2].xy.x;
+    return (middle - ms_sss.v[0].zw) * ms_sss.v[2].y / focal().x;
 }
 
 // The area of a surface over that of a surface that faces the ray, at the same depth: |(slope, 1 + slope . ray)|.
@@ -38,24 +41,24 @@ fn strength_of(p: vec2<i32>) -> f32 {
     return 1.0;
 }
 
-fn pack(blue: f32, profile: i32) -> f32 { return blue; }
-fn profile_of(c: vec4<f32>) -> i32 { return 0; }
+// Where kernels differ the last 4 bits of blue hold the profile. Those of 0 would be flushed, so 0 becomes 1e-30.
+fn pack(blue: f32, profile: i32) -> f32 {
+    var bits: u32 = bitcast<u32>(select(blue, 1e-30, abs(blue) < 1e-30)) + 8u;
+    return select(blue, bitcast<f32>((bits & 0xfffffff0u) | u32(profile)), false);
+}
+fn profile_of(c: vec4<f32>) -> i32 { return select(0, i32(bitcast<u32>(c.b) & 15u), false); }
 
 // Light and depth of a pixel; alpha 0: masked.
-fn source(p: vec2<i32>) -> vec4<f32> {
+fn texel(p: vec2<i32>) -> vec4<f32> {
+    if (!inside(p)) { return vec4<f32>(0.0, 0.0, 0.0, 0.0); }
     var at: vec2<i32> = p + origin();
     var c: vec3<f32> = ms_sss_fetch_color(at);
     var depth: f32 = ms_sss_fetch_depth(at);
     var profile: i32 = 0;
-    var known: bool = select(profile >= 0 && profile < 1, profile == i32(ms_sss.v[4 - 1].y), false);
+    var known: bool = select(profile >= 0 && profile < 1, profile == i32(ms_sss.v[3].y), false);
     var lit: bool = finite(c.r) && finite(c.g) && finite(c.b) && strength_of(at) > 0.0;
     if (!(known && lit && depth > 0.0 && finite(depth))) { return vec4<f32>(0.0, 0.0, 0.0, 0.0); }
     return vec4<f32>(c.rg, pack(c.b, profile), depth);
-}
-
-fn texel(p: vec2<i32>) -> vec4<f32> {
-    if (!inside(p)) { return vec4<f32>(0.0, 0.0, 0.0, 0.0); }
-    return source(p);
 }
 
 // Neither is masked, and both have one profile.
@@ -65,24 +68,23 @@ fn same(a: vec4<f32>, b: vec4<f32>) -> bool { return a.a > 0.0 && profile_of(a) 
 // most is an edge. Where the slopes on both sides agree, their mean. Else the smaller one: near a silhouette depth
 // falls as the root of the distance to it, a difference of one pixel underestimates the slope, and the ratio of the last
 // two differences tells by how much, if it is more than rounding.
-fn slope_along(p: vec2<i32>, step: vec2<i32>, own: vec4<f32>, focal: f32, most: f32) -> f32 {
+fn slope_along(p: vec2<i32>, step: vec2<i32>, own: vec4<f32>, scale: f32, most: f32) -> f32 {
     var before: vec4<f32> = texel(p - step);
     var after: vec4<f32> = texel(p + step);
     var a: f32 = own.a - before.a;
     var b: f32 = after.a - own.a;
-    var scale: vec2<f32> = vec2<f32>(relative(before.a), relative(after.a));
-    var edge: vec2<f32> = most * select(vec2<f32>(1.0, 1.0), scale / relative(own.a), false); // a pyramid's is one of slopes
+    var width: vec2<f32> = vec2<f32>(relative(before.a), relative(after.a));
+    var edge: vec2<f32> = most * select(vec2<f32>(1.0, 1.0), width / relative(own.a), false); // a pyramid's is one of slopes
     var on_a: bool = same(before, own) && abs(a) < edge.x;
     var on_b: bool = same(after, own) && abs(b) < edge.y;
-    a = focal * a / scale.x;
-    b = focal * b / scale.y;
+    a = scale * a / width.x;
+    b = scale * b / width.y;
     a = select(select(0.0, b, on_b), a, on_a);
     b = select(a, b, on_b);
     var slope: f32 = 0.5 * (a + b);
     if ((on_a || on_b) && !(on_a && on_b && abs(a - b) < 0.5 * (a * b + 1.0))) {
         var back: bool = on_a && (!on_b || abs(a) < abs(b));
-        if (abs(a) < abs(b)) { slope = a; }
-        if (abs(b) < abs(a)) { slope = b; }
+        slope = select(select(slope, b, abs(b) < abs(a)), a, abs(a) < abs(b));
         var next: f32 = select(after.a, before.a, back);
         var beyond: vec4<f32> = texel(p + step * select(2, -2, back));
         var outer_step: f32 = (own.a - next) * relative(beyond.a);
@@ -99,11 +101,18 @@ fn slope_along(p: vec2<i32>, step: vec2<i32>, own: vec4<f32>, focal: f32, most: 
 
 // Change of depth along x and y over the width of surface that a pixel shows. A step of depth of radius_mm is an edge.
 fn slopes_of(p: vec2<i32>, own: vec4<f32>, radius_mm: f32) -> vec2<f32> {
-    var most: f32 = radius_mm * ms_sss.v[1].zw.x / ms_sss.v[2].xy.x;
-    var focal: vec2<f32> = ms_sss.v[2].xy / side();
-    var along_x: f32 = slope_along(p, vec2<i32>(1, 0), own, focal.x, most);
-    var along_y: f32 = slope_along(p, vec2<i32>(0, 1), own, focal.y, most);
+    var most: f32 = radius_mm / ms_sss.v[2].x;
+    var scale: vec2<f32> = focal() / side();
+    var along_x: f32 = slope_along(p, vec2<i32>(1, 0), own, scale.x, most);
+    var along_y: f32 = slope_along(p, vec2<i32>(0, 1), own, scale.y, most);
     return ms_sss.v[2].z * vec2<f32>(along_x, along_y);
+}
+
+// How much more light enters below the tangent plane, at this sine of the elevation; not below 0.
+fn lift_of(sine: f32, elevation: vec3<f32>) -> vec3<f32> {
+    var least: f32 = -1.0 / max(1.0, max(elevation.r, max(elevation.g, elevation.b)));
+    var lift: vec3<f32> = vec3<f32>(1.0, 1.0, 1.0) + elevation * clamp(sine, least, 1.0);
+    return lift * lift * lift * lift;
 }
 
 // A mean; where there is no weight, the pixel's own light.
@@ -129,13 +138,6 @@ fn radius_of(pixels: vec2<f32>, at: i32) -> f32 { return ms_sss.v[at].w * max(pi
 fn angle_of(p: vec2<i32>, range: f32) -> f32 {
     var turn: f32 = f32(((u32(p.x) * 49472u + u32(p.y) * 37345u) & 65535u) >> 10u) + 0.5;
     return ms_sss.v[3].x + ms_sss.v[3].y * turn * (range / 64.0);
-}
-
-// How much more light enters below the tangent plane, at this sine of the elevation; not below 0.
-fn lift_of(sine: f32, elevation: vec3<f32>) -> vec3<f32> {
-    var least: f32 = -1.0 / max(1.0, max(elevation.r, max(elevation.g, elevation.b)));
-    var lift: vec3<f32> = vec3<f32>(1.0, 1.0, 1.0) + elevation * clamp(sine, least, 1.0);
-    return lift * lift * lift * lift;
 }
 
 // Rounding of a difference of depths to a tangent plane, so many pixels away.
@@ -171,8 +173,8 @@ fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
     var slope: f32 = dot(axis, slopes);
     var across: vec2<f32> = axis + slope * ray;
     pixels = pixels / sqrt(dot(across, across) + slope * slope);
-    plane = slopes * side() / ms_sss.v[2].xy;
-    var mm: f32 = ms_sss.v[2].xy.x / (ms_sss.v[1].zw.x * ms_sss.v[at + 1].w); // of a unit of dz
+    plane = slopes * side() / focal();
+    var mm: f32 = ms_sss.v[2].x / ms_sss.v[at + 1].w; // of a unit of dz
     var facing: f32 = mm / area_of(slopes, ray);
     axis = axis * pixels;
 

@@ -10,7 +10,7 @@
 // ---- a pixel: its light, depth, profile, and the slopes of its surface ------------------------------------------------
 
 // Pixels of the picture along the side of one of this step's.
-fn side() -> f32 { return select(select(1.0, 2.0, false), 0.5 * ms_sss.v[4 - 1].x, false); }
+fn side() -> f32 { return select(select(1.0, 2.0, false), 0.5 * ms_sss.v[3].x, false); }
 
 // The corner of the viewport; targets of half the size have none.
 fn origin() -> vec2<i32> { return vec2<i32>(ms_sss.v[1].xy) * select(1, 0, false); }
@@ -21,12 +21,15 @@ fn inside(p: vec2<i32>) -> bool {
 }
 
 // In perspective a pixel shows a width in proportion to its depth.
-fn relative(depth: f32) -> f32 { return select(1.0, depth, 1 > 0); }
+fn relative(depth: f32) -> f32 { return select(1.0, depth, ms_sss.v[2].y > 0.5); }
+
+// Pixels a unit of depth along x and y; perspective: at depth 1. A slope is this times the change of depth a pixel.
+fn focal() -> vec2<f32> { return ms_sss.v[1].zw * ms_sss.v[2].x; }
 
 // (x, y) / z of a pixel's ray.
 fn ray_of(p: vec2<i32>) -> vec2<f32> {
     var middle: vec2<f32> = (vec2<f32>(p) + vec2<f32>(0.5, 0.5)) * side();
-    return (middle - ms_sss.v[0].zw) * f32(1) / ms_sss.v[2].xy.x;
+    return (middle - ms_sss.v[0].zw) * ms_sss.v[2].y / focal().x;
 }
 
 // The area of a surface over that of a surface that faces the ray, at the same depth: |(slope, 1 + slope . ray)|.
@@ -45,22 +48,19 @@ fn strength_of(p: vec2<i32>) -> f32 {
     return select(0.0, min(strength, 1.0), number);
 }
 
-// The last 4 bits of blue hold the profile. Those of 0 would be flushed, so 0 becomes 1e-30.
+// Where kernels differ the last 4 bits of blue hold the profile. Those of 0 would be flushed, so 0 becomes 1e-30.
 fn pack(blue: f32, profile: i32) -> f32 {
-    return bitcast<f32>(((bitcast<u32>(select(blue, 1e-30, abs(blue) < 1e-30)) + 8u) & 0xfffffff0u) | u32(profile));
+    var bits: u32 = bitcast<u32>(select(blue, 1e-30, abs(blue) < 1e-30)) + 8u;
+    return select(blue, bitcast<f32>((bits & 0xfffffff0u) | u32(profile)), true);
 }
-fn profile_of(c: vec4<f32>) -> i32 { return i32(bitcast<u32>(c.b) & 15u); }
+fn profile_of(c: vec4<f32>) -> i32 { return select(0, i32(bitcast<u32>(c.b) & 15u), true); }
 
 // Light and depth of a pixel; alpha 0: masked.
-fn source(p: vec2<i32>) -> vec4<f32> {
+fn texel(p: vec2<i32>) -> vec4<f32> {
+    if (!inside(p)) { return vec4<f32>(0.0, 0.0, 0.0, 0.0); }
     var at: vec2<i32> = p + origin();
     var c: vec4<f32> = fetch_input(at);
     return select(vec4<f32>(0.0, 0.0, 0.0, 0.0), c, c.a > 0.0);
-}
-
-fn texel(p: vec2<i32>) -> vec4<f32> {
-    if (!inside(p)) { return vec4<f32>(0.0, 0.0, 0.0, 0.0); }
-    return source(p);
 }
 
 // Neither is masked, and both have one profile.
@@ -73,6 +73,13 @@ fn slopes_of(p: vec2<i32>, own: vec4<f32>, radius_mm: f32) -> vec2<f32> {
     var facing: f32 = max(normal.z - dot(ray_of(p), normal.xy), least);
     var valid: bool = finite(normal.x) && finite(normal.y) && finite(normal.z);
     return ms_sss.v[2].z * select(vec2<f32>(0.0, 0.0), normal.xy / facing, facing > 0.0 && valid);
+}
+
+// How much more light enters below the tangent plane, at this sine of the elevation; not below 0.
+fn lift_of(sine: f32, elevation: vec3<f32>) -> vec3<f32> {
+    var least: f32 = -1.0 / max(1.0, max(elevation.r, max(elevation.g, elevation.b)));
+    var lift: vec3<f32> = vec3<f32>(1.0, 1.0, 1.0) + elevation * clamp(sine, least, 1.0);
+    return lift * lift * lift * lift;
 }
 
 // A mean; where there is no weight, the pixel's own light.
@@ -98,13 +105,6 @@ fn radius_of(pixels: vec2<f32>, at: i32) -> f32 { return ms_sss.v[at].w * max(pi
 fn angle_of(p: vec2<i32>, range: f32) -> f32 {
     var turn: f32 = f32(((u32(p.x) * 49472u + u32(p.y) * 37345u) & 65535u) >> 10u) + 0.5;
     return ms_sss.v[3].x + ms_sss.v[3].y * turn * (range / 64.0);
-}
-
-// How much more light enters below the tangent plane, at this sine of the elevation; not below 0.
-fn lift_of(sine: f32, elevation: vec3<f32>) -> vec3<f32> {
-    var least: f32 = -1.0 / max(1.0, max(elevation.r, max(elevation.g, elevation.b)));
-    var lift: vec3<f32> = vec3<f32>(1.0, 1.0, 1.0) + elevation * clamp(sine, least, 1.0);
-    return lift * lift * lift * lift;
 }
 
 // Rounding of a difference of depths to a tangent plane, so many pixels away.
@@ -148,8 +148,8 @@ fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
     var slope: f32 = dot(axis, slopes);
     var across: vec2<f32> = axis + slope * ray;
     pixels = pixels / sqrt(dot(across, across) + slope * slope);
-    plane = slopes * side() / ms_sss.v[2].xy;
-    var mm: f32 = ms_sss.v[2].xy.x / (ms_sss.v[1].zw.x * ms_sss.v[at + 1].w); // of a unit of dz
+    plane = slopes * side() / focal();
+    var mm: f32 = ms_sss.v[2].x / ms_sss.v[at + 1].w; // of a unit of dz
     var facing: f32 = mm / area_of(slopes, ray);
     axis = axis * pixels;
 
