@@ -86,12 +86,12 @@ static int sss_shader_text(const ms_sss_shader *s, const sss_text *t, char *out,
         if (!f || !file[i] || fread(file[i], 1, (1 << 16) - 1, f) == 0) return 0;
         fclose(f);
     }
-    snprintf(defines, sizeof defines,
-             "#define MS_SSS_STEP %d\n#define MS_SSS_TAPS %d\n#define MS_SSS_PROFILES %d\n#define MS_SSS_TERMS %d\n"
-             "#define MS_SSS_FLAT %d\n#define MS_SSS_NORMAL %d\n"
-             "#define MS_SSS_STRENGTH %d\n#define MS_SSS_ROTATED %d\n#define MS_SSS_HALF %d\n",
-             (int)s->step, s->tap_count, s->profile_count, s->term_count > 1 ? s->term_count : 1, t->flat, t->normal,
-             t->strength, t->rotated, s->half_resolution);
+    snprintf(
+        defines, sizeof defines,
+        "#define MS_SSS_STEP %d\n#define MS_SSS_TAPS %d\n#define MS_SSS_PROFILES %d\n#define MS_SSS_TERMS %d\n"
+        "#define MS_SSS_SLOPES %d\n#define MS_SSS_STRENGTH %d\n#define MS_SSS_ROTATED %d\n#define MS_SSS_HALF %d\n",
+        (int)s->step, s->tap_count, s->profile_count, s->term_count > 1 ? s->term_count : 1,
+        t->flat ? 0 : 1 + t->normal, t->strength, t->rotated, s->half_resolution);
     if (t->language == SSS_WGSL) {
         size_t n;
         if (wgsl_make(defines, file[0], more ? file[more] : NULL, out, capacity)) return 0;

@@ -18,8 +18,7 @@
 //     MS_SSS_TAPS         7        ms_sss_shader.tap_count
 //     MS_SSS_PROFILES     0        kernels that ms_sss_fetch_profile selects from, up to 16; 0: one, no profiles
 //     MS_SSS_TERMS        1        of UP: the most terms of any of the kernels
-//     MS_SSS_FLAT         0        1: without slopes and elevation, where options.flat is 1
-//     MS_SSS_NORMAL       0        1: slopes from normals; 0: from depth
+//     MS_SSS_SLOPES       1        from depth; 2: from normals; 0: no slopes and elevation, where options.flat is 1
 //     MS_SSS_STRENGTH     0        1: with strength
 //     MS_SSS_ROTATED      0        1: rotation or jitter of ms_sss_shader
 //     MS_SSS_HALF         0        1: X and Y lie between DOWN and UP
@@ -34,8 +33,8 @@
 //     float3 ms_sss_fetch_normal(int2 p)    in view space: x right, y down, z to the camera     X, Y
 //
 // BASE and the disc read what X reads, RESOLVE color and strength. At half resolution X and Y read DOWN's target in their
-// place. Without depth the second returns 1.0, with MS_SSS_FLAT 1. Depth of 16-bit floats also wants MS_SSS_FLAT 1: its
-// steps are seen as elevation, even where slopes are from normals.
+// place. Without depth the second returns 1.0, with MS_SSS_SLOPES 0. Depth of 16-bit floats also wants MS_SSS_SLOPES 0:
+// its steps are seen as elevation, even where slopes are from normals.
 // Targets are textures of 32-bit floats (OpenGL: GL_NEAREST), at these bindings:
 //
 //     X     writes light, and depth (0: masked) in alpha; the profile in the last 4 bits of blue
@@ -52,11 +51,8 @@
 #ifndef MS_SSS_TERMS
 #define MS_SSS_TERMS 1
 #endif
-#ifndef MS_SSS_FLAT
-#define MS_SSS_FLAT 0
-#endif
-#ifndef MS_SSS_NORMAL
-#define MS_SSS_NORMAL 0
+#ifndef MS_SSS_SLOPES
+#define MS_SSS_SLOPES 1
 #endif
 #ifndef MS_SSS_STRENGTH
 #define MS_SSS_STRENGTH 0
@@ -111,8 +107,8 @@
 #define HALVED (PASS && MS_SSS_HALF > 0)
 // RAW: it reads the engine's textures and masks their pixels, where others read the target of a step.
 #define RAW (BASE || DOWN || UP || DISC || (MS_SSS_STEP == 0 && !HALVED))
-#define SLOPES (MS_SSS_FLAT == 0 && (PASS || BASE || DISC))
-#define NORMALS (MS_SSS_NORMAL > 0 && SLOPES && !HALVED)
+#define SLOPES (MS_SSS_SLOPES > 0 && (PASS || BASE || DISC))
+#define NORMALS (MS_SSS_SLOPES == 2 && SLOPES && !HALVED)
 #define PACKED (MS_SSS_PROFILES > 0 && !PYRAMID)
 
 #if MS_SSS_PROFILES > 0
@@ -226,7 +222,7 @@ float2 focal() { return PIXELS_PER_MM * MM_PER_UNIT; }
 
 // (x, y) / z of a pixel's ray.
 float2 ray_of(int2 p) {
-    float2 middle = (float2(p) + float2(0.5, 0.5)) * side();
+    float2 middle = (float2(p) + 0.5) * side();
     return (middle - CENTER) * PERSPECTIVE / focal().x;
 }
 
@@ -334,20 +330,6 @@ float2 slopes_of(int2 p, float4 own, float radius_mm) {
 #endif
 }
 
-// How much more light enters below the tangent plane, at this sine of the elevation; not below 0.
-float3 lift_of(float sine, float3 elevation) {
-    float least = -1.0 / max(1.0, max(elevation.r, max(elevation.g, elevation.b)));
-    float3 lift = one3 + elevation * clamp(sine, least, 1.0);
-    return lift * lift * lift * lift;
-}
-
-// A mean; where there is no weight, the pixel's own light.
-float3 mean_of(float3 sum, float3 weight, float3 own) {
-    float3 least = 1e-30 * one3;
-    return (sum + least * own) / (weight + least);
-}
-
-#if !PYRAMID
 // ---- kernels ---------------------------------------------------------------------------------------------------------
 
 int kernel_of(float4 own) { return HEAD + STRIDE * profile_of(own); }
@@ -360,6 +342,27 @@ float2 pixels_at(float depth, int at) {
 }
 
 float radius_of(float2 pixels, int at) { return RADIUS_MM(at) * max(pixels.x, pixels.y); }
+
+// How much more light enters below the tangent plane, at this sine of the elevation; not below 0.
+float3 lift_of(float sine, float3 elevation) {
+    float least = -1.0 / max(1.0, max(elevation.r, max(elevation.g, elevation.b)));
+    float3 lift = 1.0 + elevation * clamp(sine, least, 1.0);
+    return lift * lift * lift * lift;
+}
+
+// A mean; where there is no weight, the pixel's own light.
+float3 mean_of(float3 sum, float3 weight, float3 own) {
+    return (sum + 1e-30 * own) / (weight + 1e-30);
+}
+
+// One of 64 angles a pixel, of a linear congruence in which neighbors differ widely; range: of all of them.
+float angle_of(int2 p, float range) {
+    float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;
+    return ROTATION + JITTER * turn * (range / 64.0);
+}
+
+// Rounding of a difference of depths to a tangent plane, so many pixels away.
+float rounding_of(float depth, float2 away) { return 2.3841858e-7 * depth * (2.0 + abs(away.x) + abs(away.y)); }
 
 #if DOWN || UP
 // ---- half resolution -------------------------------------------------------------------------------------------------
@@ -402,7 +405,7 @@ float3 self_weight(float depth, int at) {
         float3 down = zero3;
         for (int k = 0; k < MS_SSS_TAPS; k++) {
             float4 tap = TAP(block, (k + 1) / 2);
-            float2 left = max(float2(1.0, 1.0) - pixels * abs(tap.w), zero2);
+            float2 left = max(1.0 - pixels * abs(tap.w), zero2);
             across = across + tap.rgb * left.x;
             down = down + tap.rgb * left.y;
         }
@@ -412,7 +415,7 @@ float3 self_weight(float depth, int at) {
 }
 
 // out = s own + (1 - s) rest, s the self weight at full resolution. The rest is that of the four larger pixels around,
-// each solved from after = s' before + (1 - s') rest with its own s', interpolated (3/4, 1/4) where depths are near.
+// each solved from after = s' before + (1 - s') rest with its own s', interpolated (0.8, 0.2) where depths are near.
 float4 filter_pixel(int2 pixel) {
     int2 p = pixel - origin();
     float4 own = texel(p);
@@ -423,33 +426,22 @@ float4 filter_pixel(int2 pixel) {
     float3 rest = zero3;
     float weight = 0.0;
     for (int i = 0; i < 4; i++) {
-        int2 q = int2((p.x + 1) / 2 - 1 + i % 2, (p.y + 1) / 2 - 1 + i / 2);
+        int2 q = (p + 1) / 2 - 1 + int2(i % 2, i / 2);
         if (!inside(q * 2)) { continue; }
         float4 there = fetch_half(q);
         float f = nearness(there, own, at) * pick(0.2, 0.8, q.x == p.x / 2) * pick(0.2, 0.8, q.y == p.y / 2);
         if (!(f > 0.0)) { continue; }
         float3 after = fetch_sum(q).rgb;
         float3 least = min(min(there.rgb, after), zero3);
-        rest = rest + f * max(there.rgb + (after - there.rgb) / (one3 - self_weight(there.a, at)), least);
+        rest = rest + f * max(there.rgb + (after - there.rgb) / (1.0 - self_weight(there.a, at)), least);
         weight = weight + f;
     }
     bool wide = radius_of(pixels_at(own.a, at), at) > 0.5;
     if (wide && weight > 1e-6) {
-        light = light + GAIN * strength_of(pixel) * (one3 - share) * (rest / weight - light);
+        light = light + GAIN * strength_of(pixel) * (1.0 - share) * (rest / weight - light);
     }
     return float4(light, 1.0);
 }
-#endif
-
-#if PASS || DISC
-// One of 64 angles a pixel, of a linear congruence in which neighbors differ widely; range: of all of them.
-float angle_of(int2 p, float range) {
-    float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;
-    return ROTATION + JITTER * turn * (range / 64.0);
-}
-
-// Rounding of a difference of depths to a tangent plane, so many pixels away.
-float rounding_of(float depth, float2 away) { return 2.3841858e-7 * depth * (2.0 + abs(away.x) + abs(away.y)); }
 #endif
 
 #if PASS
@@ -528,7 +520,7 @@ float4 filter_pixel(int2 pixel) {
             float below = 0.0;
             for (int i = pick(2 + 2 * MS_SSS_ROTATED, 0, k > 0); i < 2 + 2 * MS_SSS_ROTATED; i++) {
                 int2 corner = pick(pick(int2(i, 0), int2(0, i), SECOND), int2(i % 2, i / 2), MS_SSS_ROTATED > 0);
-                float2 away = abs(float2(1.0, 1.0) - float2(corner) - (along - whole));
+                float2 away = abs(1.0 - float2(corner) - (along - whole));
                 float share = away.x * away.y;
                 if (!(share > 0.0)) { continue; }
                 int2 beside = int2(whole) + corner;
@@ -584,7 +576,7 @@ float4 filter_pixel(int2 pixel) {
 #if SECOND
     float full = pick(GAIN * strength_of(pixel) * min(2.0 * radius - 1.0, 1.0), 1.0, HALVED);
     float strength = pick(0.0, full, wide);
-    float3 kept = strength * DELTA(at) + (1.0 - strength) * one3;
+    float3 kept = strength * DELTA(at) + (1.0 - strength);
     result = strength * SCALE(at) * result;
     if (dot(abs(kept), one3) > 0.0) { result = result + kept * unfiltered(p); }
     return float4(result, 1.0);
@@ -592,7 +584,6 @@ float4 filter_pixel(int2 pixel) {
     return float4(result.rg, pack(result.b, profile_of(own)), own.a);
 #endif
 }
-#endif
 #endif
 #endif
 

@@ -41,7 +41,7 @@ TEXTURE(ms_sss_weight, fetch_weight, 11, t11)
 float deep_of(float d) { return focal().x / relative(-d); }
 
 // The kernel's radius in pixels of the picture.
-float radius_of(float d) {
+float kernel_pixels(float d) {
     return min(PIXELS_PER_MM.x * KERNEL_MM * relative(-d), max(PICTURE_SIZE.x, PICTURE_SIZE.y));
 }
 
@@ -84,10 +84,10 @@ float4 filter_pixel(int2 p) {
         if (surface.r > 0.25 * most && d < nearest) {
             nearest = d;
             change = surface.gb;
-            at = float2(float(i % 2) - 0.5, float(i / 2) - 0.5);
+            at = float2(q - p * 2) - 0.5;
         }
     }
-    float scale = deep_of(nearest) / radius_of(nearest);
+    float scale = deep_of(nearest) / kernel_pixels(nearest);
     float middle = nearest - dot(at, change);
     float least = nearest;
     float greatest = nearest;
@@ -99,7 +99,7 @@ float4 filter_pixel(int2 p) {
         if (!inside(q)) { continue; }
         float4 there = fetch_input(q);
         float4 surface = fetch_surface(q);
-        float2 away = float2(float(i % 4) - 1.5, float(i / 4) - 1.5);
+        float2 away = float2(q - p * 2) - 0.5;
         float rise = dot(away, change);
         float f = falloff((there.a - rise - middle) * scale / PLANE_REACH) * surface.r;
         f = f * pick(0.125, 0.375, abs(away.x) < 1.0) * pick(0.125, 0.375, abs(away.y) < 1.0);
@@ -134,8 +134,8 @@ float3 weight_at(float size, int table) {
 float3 raise(float3 light, float3 moment, float square, float grain) {
     float3 mean = moment * light / max(light * light, 1e-30 * one3);
     mean = clamp(mean - clamp(mean, -grain * one3, grain * one3), -one3, one3);
-    float3 u = max(K_4 * mean + one3, zero3);
-    float3 spread = max(square * one3 - (grain * grain * one3 + mean * mean), zero3);
+    float3 u = max(1.0 + K_4 * mean, zero3);
+    float3 spread = max(square - (grain * grain + mean * mean), zero3);
     return light * min(u * u * (6.0 * spread * K_4 * K_4 + u * u), RAISE_MAX);
 }
 
@@ -152,14 +152,12 @@ float facet_of(float area, float2 slope) {
 // Near a pixel of the picture the depth below its plane shows a mesh's triangles; there it is taken from half the change
 // of slope along the way, unless a pixel lies deeper by more than a triangle bulges.
 float3 gather(int2 p, float d, float2 change) {
-    float cells = COARSE_SIDE;
-    float deep = deep_of(d) / cells;
-    float radius = radius_of(d);
+    float deep = deep_of(d) / COARSE_SIDE;
+    float radius = kernel_pixels(d);
     float2 slope = change * (2.0 * deep);
     float area = area_of(slope, ray_of(p));
     float cap = min(area, 1.5);
-    float limit = radius / cells;
-    float near_plane = 1.0 / (limit * PLANE_REACH);
+    float limit = radius / COARSE_SIDE;
     float reach = cap * cap * TAP_RADIUS_2;
     float facet = facet_of(area, slope);
     float weight = 0.0;
@@ -169,8 +167,9 @@ float3 gather(int2 p, float d, float2 change) {
     float3 sums = zero3;
     float3 weights = zero3;
     for (int i = 0; i < 36; i++) {
-        int2 q = int2(p.x / 2 + i % 6 - 3 + p.x % 2, p.y / 2 + i / 6 - 3 + p.y % 2);
-        float2 away = float2(float(i % 6) - 2.75 + 0.5 * float(p.x % 2), float(i / 6) - 2.75 + 0.5 * float(p.y % 2));
+        int2 beside = int2(i % 6, i / 6) - 3 + p % 2;
+        int2 q = p / 2 + beside;
+        float2 away = float2(beside) + 0.25 - 0.5 * float2(p % 2);
         if (dot(away, away) > reach || !inside(q * 2)) { continue; }
         float4 there = fetch_coarse(q);
         float dz = (there.a - d) * deep;
@@ -180,13 +179,13 @@ float3 gather(int2 p, float d, float2 change) {
         float t = max(1.0 - (dz * dz + dot(away, away)) / reach, 0.0);
         float w = t * t * surface.r;
         float bend = below;
-        if (cells < 3.0) { bend = max(below - facet, min(TAP_BEND * dot(away, surface.gb * deep - slope), 0.5 * area)); }
+        if (COARSE_SIDE < 3.0) { bend = max(below - facet, min(TAP_BEND * dot(away, surface.gb * deep - slope), 0.5 * area)); }
         weight = weight + w;
         light = light + w * there.rgb;
         moment = moment + w * bend * there.rgb;
         square = square + w * bend * bend;
         if (abs(away.x) < 1.0 && abs(away.y) < 1.0 && COARSER > 1.5) {
-            t = falloff(below * near_plane) * pick(0.25, 0.75, abs(away.x) < 0.5) * pick(0.25, 0.75, abs(away.y) < 0.5);
+            t = falloff(below / (limit * PLANE_REACH)) * pick(0.25, 0.75, abs(away.x) < 0.5) * pick(0.25, 0.75, abs(away.y) < 0.5);
             sums = sums + t * fetch_sum(q).rgb;
             weights = weights + t * fetch_weight(q).rgb;
         }
@@ -194,7 +193,7 @@ float3 gather(int2 p, float d, float2 change) {
     float facing = 1.0 / (cap * area);
     float turn = facing * TAP_MEAN;
     float grain = turn * grain_of(d);
-    if (!((abs(slope.x) + abs(slope.y)) * 0.5 * cells < radius)) { // too steep for a tangent plane on this level
+    if (!((abs(slope.x) + abs(slope.y)) * 0.5 * COARSE_SIDE < radius)) { // too steep for a tangent plane on this level
         square = 0.0;
         moment = zero3;
     }
@@ -223,7 +222,7 @@ float4 filter_pixel(int2 pixel) {
     if (!(abs(own.a) > 0.0)) { return float4(ms_sss_fetch_color(pixel), 1.0); }
     float4 surface = fetch_surface(p);
     float deep = deep_of(own.a);
-    float radius = radius_of(own.a);
+    float radius = kernel_pixels(own.a);
     float size = radius / clamp(surface.r, 1.0, 1.5);
     float3 weight = weight_at(size, 1);
     float3 blurred = weight_at(size, 2);

@@ -1,7 +1,7 @@
 // Of ms_sss.glsl by examples/tools/sss_wgsl.c, with
 //     #define MS_SSS_STEP 1
 //     #define MS_SSS_PROFILES 16
-//     #define MS_SSS_NORMAL 1
+//     #define MS_SSS_SLOPES 2
 //     #define MS_SSS_STRENGTH 1
 // and the defaults. The module adds the functions ms_sss_fetch_... that it calls.
 
@@ -28,7 +28,7 @@ fn focal() -> vec2<f32> { return ms_sss.v[1].zw * ms_sss.v[2].x; }
 
 // (x, y) / z of a pixel's ray.
 fn ray_of(p: vec2<i32>) -> vec2<f32> {
-    var middle: vec2<f32> = (vec2<f32>(p) + vec2<f32>(0.5, 0.5)) * side();
+    var middle: vec2<f32> = (vec2<f32>(p) + 0.5) * side();
     return (middle - ms_sss.v[0].zw) * ms_sss.v[2].y / focal().x;
 }
 
@@ -75,19 +75,6 @@ fn slopes_of(p: vec2<i32>, own: vec4<f32>, radius_mm: f32) -> vec2<f32> {
     return ms_sss.v[2].z * select(vec2<f32>(0.0, 0.0), normal.xy / facing, facing > 0.0 && valid);
 }
 
-// How much more light enters below the tangent plane, at this sine of the elevation; not below 0.
-fn lift_of(sine: f32, elevation: vec3<f32>) -> vec3<f32> {
-    var least: f32 = -1.0 / max(1.0, max(elevation.r, max(elevation.g, elevation.b)));
-    var lift: vec3<f32> = vec3<f32>(1.0, 1.0, 1.0) + elevation * clamp(sine, least, 1.0);
-    return lift * lift * lift * lift;
-}
-
-// A mean; where there is no weight, the pixel's own light.
-fn mean_of(sum: vec3<f32>, weight: vec3<f32>, own: vec3<f32>) -> vec3<f32> {
-    var least: vec3<f32> = 1e-30 * vec3<f32>(1.0, 1.0, 1.0);
-    return (sum + least * own) / (weight + least);
-}
-
 // ---- kernels ---------------------------------------------------------------------------------------------------------
 
 fn kernel_of(own: vec4<f32>) -> i32 { return 4 + 9 * profile_of(own); }
@@ -100,6 +87,18 @@ fn pixels_at(depth: f32, at: i32) -> vec2<f32> {
 }
 
 fn radius_of(pixels: vec2<f32>, at: i32) -> f32 { return ms_sss.v[at].w * max(pixels.x, pixels.y); }
+
+// How much more light enters below the tangent plane, at this sine of the elevation; not below 0.
+fn lift_of(sine: f32, elevation: vec3<f32>) -> vec3<f32> {
+    var least: f32 = -1.0 / max(1.0, max(elevation.r, max(elevation.g, elevation.b)));
+    var lift: vec3<f32> = 1.0 + elevation * clamp(sine, least, 1.0);
+    return lift * lift * lift * lift;
+}
+
+// A mean; where there is no weight, the pixel's own light.
+fn mean_of(sum: vec3<f32>, weight: vec3<f32>, own: vec3<f32>) -> vec3<f32> {
+    return (sum + 1e-30 * own) / (weight + 1e-30);
+}
 
 // One of 64 angles a pixel, of a linear congruence in which neighbors differ widely; range: of all of them.
 fn angle_of(p: vec2<i32>, range: f32) -> f32 {
@@ -169,7 +168,7 @@ fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
             var below: f32 = 0.0;
             for (var i: i32 = select(2 + 2 * 0, 0, k > 0); i < 2 + 2 * 0; i++) {
                 var corner: vec2<i32> = select(select(vec2<i32>(i, 0), vec2<i32>(0, i), true), vec2<i32>(i % 2, i / 2), 0 > 0);
-                var away: vec2<f32> = abs(vec2<f32>(1.0, 1.0) - vec2<f32>(corner) - (along - whole));
+                var away: vec2<f32> = abs(1.0 - vec2<f32>(corner) - (along - whole));
                 var share: f32 = away.x * away.y;
                 if (!(share > 0.0)) { continue; }
                 var beside: vec2<i32> = vec2<i32>(whole) + corner;
@@ -218,7 +217,7 @@ fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
     result.b = select(mean.b, filled.b, (mixed & 4) != 0);
     var full: f32 = select(ms_sss.v[2].w * strength_of(pixel) * min(2.0 * radius - 1.0, 1.0), 1.0, false);
     var strength: f32 = select(0.0, full, wide);
-    var kept: vec3<f32> = strength * ms_sss.v[at + 2].rgb + (1.0 - strength) * vec3<f32>(1.0, 1.0, 1.0);
+    var kept: vec3<f32> = strength * ms_sss.v[at + 2].rgb + (1.0 - strength);
     result = strength * ms_sss.v[at + 1].rgb * result;
     if (dot(abs(kept), vec3<f32>(1.0, 1.0, 1.0)) > 0.0) { result = result + kept * unfiltered(p); }
     return vec4<f32>(result, 1.0);
