@@ -3933,17 +3933,15 @@ static void ms_sss__level_constants(const ms_sss_pyramid *pyramid, int profile, 
 {
     const int level = shader->level, coarser = ms_sss_shader_levels(view->width, view->height) - level - 1;
     const int next = level + 1 < MS_SSS_PYRAMID_LEVELS ? level + 1 : level;
-    ms_sss_filter_options round = *options;
+    ms_sss_filter_options fast = *options;
     ms_sss_kernel kernel;
     ms_sss__pass pass;
     ms_sss__pyramid_params g;
     int i, table;
+    fast.exact = 0;
     ms_sss__pyramid_kernel(pyramid, &kernel);
-    round.flat = 1;
-    ms_sss__set_kernel(&pass, view, &kernel, &round, 1);
-    round.flat = options->flat;
-    round.exact = 0;
-    ms_sss__pyramid_set_params(&g, &pass, pyramid, &round, 1);
+    ms_sss__set_kernel(&pass, view, &kernel, &fast, 1);
+    ms_sss__pyramid_set_params(&g, &pass, pyramid, &fast, 1);
     ms_sss__pyramid_tap_sums(&g, level);
     if (!g.perspective) g.plane_rounding *= pass.depth_scale; /* depth as it is given */
     {
@@ -3993,16 +3991,13 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
     ms_sss__view view;
     ms_sss__pass pass;
     ms_status status;
-    int pyramid, count, terms = 0, i;
-    float flat, mm_per_unit;
+    int pyramid, depth, count, terms = 0, i;
     if ((status = ms_sss__check_shader(shader, error)) != MS_OK) return status;
     if (!options) return MS_SSS__REFUSE(error, "options is NULL");
     if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
     if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
     if (!out) return MS_SSS__REFUSE(error, "out is NULL");
     view = ms_sss__make_view(options, width, height);
-    flat = options->flat;
-    mm_per_unit = (float)view.mm_per_unit;
     pyramid = ms_sss__is_pyramid_step(shader);
     count = ms_sss__shader_profiles(shader);
     if (pyramid) {
@@ -4030,14 +4025,14 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
 
     /* all is checked before anything is written */
     memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
-    if (!ms_sss__uses_depth(options, 1)) flat = 1;
-    if (pyramid && !ms_sss__uses_depth(options, 1)) mm_per_unit = 1e-20f; /* depth only scales: nothing is deep */
+    depth = ms_sss__uses_depth(options, 1);
     {
         const float pixels = (float)view.pixels_per_mm, first = index == 0;
+        const float mm_per_unit = pyramid && !depth ? 1e-20f : (float)view.mm_per_unit; /* nothing is deep */
         const float head[MS_SSS__SHADER_HEAD][4] = {
             {(float)width, (float)height, view.middle[0], view.middle[1]},
             {(float)shader->origin[0], (float)shader->origin[1], pixels, pixels * view.aspect[1]},
-            {mm_per_unit, (float)view.perspective, 1 - flat, 1 - shader->fade},
+            {mm_per_unit, (float)view.perspective, depth ? 1 - options->flat : 0, 1 - shader->fade},
             {shader->rotation, shader->jitter, first, 0},
         };
         memcpy(out, head, sizeof head);

@@ -162,11 +162,9 @@ cbuffer ms_sss_block : register(b0) { float4 ms_sss[COUNT]; };
 #elif defined(MS_SSS_VULKAN)
 layout(set = 0, binding = 0) uniform ms_sss_block { vec4 ms_sss[COUNT]; };
 #elif !defined(MS_SSS_WGSL)
-#ifdef GL_ES
-precision highp float;
+precision highp float; // for GLSL ES
 precision highp int;
 precision highp sampler2D;
-#endif
 uniform vec4 ms_sss[COUNT];
 #endif
 

@@ -75,7 +75,7 @@ float4 filter_pixel(int2 p) {
     if (!(most > 0.0)) { return zero4; }
     float nearest = 3e38;
     float2 change = zero2; // of d a pixel
-    float2 at = zero2;
+    float middle = 0.0; // d of the plane between the four
     for (int i = 0; i < 4; i++) {
         int2 q = p * 2 + int2(i % 2, i / 2);
         if (!inside(q)) { continue; }
@@ -84,11 +84,10 @@ float4 filter_pixel(int2 p) {
         if (surface.r > 0.25 * most && d < nearest) {
             nearest = d;
             change = surface.gb;
-            at = float2(q - p * 2) - 0.5;
+            middle = d - dot(float2(q - p * 2) - 0.5, change);
         }
     }
     float scale = deep_of(nearest) / kernel_pixels(nearest);
-    float middle = nearest - dot(at, change);
     float least = nearest;
     float greatest = nearest;
     float4 light = zero4;
