@@ -233,7 +233,7 @@ float area_of(float2 slope, float2 ray) {
 // Below 1e30, by its bits: compilers may assume that no number is NaN.
 bool finite(float x) { return (bits_of(x) & 0x7fffffffu) < 0x7149f2cau; }
 
-// 0, or NaN: masked.
+// 0 to 1; NaN as 0. At half resolution UP is where it counts.
 float strength_of(int2 p) {
 #if MS_SSS_STRENGTH && !HALVED
     float strength = ms_sss_fetch_strength(p);
@@ -538,15 +538,15 @@ float4 filter_pixel(int2 pixel) {
             float4 tap = TAP(at, min(k + 1, MS_SSS_TAPS / 2)); // the one before
             float3 lift = one3;
 #if SLOPES
-            // The sine of the elevation, without what may be rounding of depths; near by that of the tap before, as far
-            // as it was found.
+            // The sine of the elevation, without what may be rounding of depths; near by, within some
+            // 0.17 radii, that of the tap before, as far as it was found.
             float rounding = rounding_of(own.a, along) * DEPTH_SCALE(at);
             below = facing * (below - clamp(below, -rounding, rounding));
             float sine = below / max(offset, 1e-20);
             float gap = abs(tap.w) - offset;
             if (gap > 0.0) {
-                float follow = offset / (0.17 * RADIUS_MM(at));
-                follow = outer.a * outer.a * outer.a * outer.a / (1.0 + follow * follow * follow * follow);
+                float s = offset / (0.17 * RADIUS_MM(at));
+                float follow = outer.a * outer.a * outer.a * outer.a / (1.0 + s * s * s * s);
                 sine = sine + follow * (outer_sine * sum.a * offset / abs(tap.w) - sine);
             }
             // The area of the tap before: by the slope from this one to it.
@@ -583,9 +583,8 @@ float4 filter_pixel(int2 pixel) {
 #endif
 }
 #endif
-#endif
 
-#if MS_SSS_STEP == 8
+#else
 // ---- light through thin parts ----------------------------------------------------------------------------------------
 
 // What part of diffuse light that enters a slab on one side leaves it on the other, parallel: the cosine between

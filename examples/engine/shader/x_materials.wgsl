@@ -39,7 +39,7 @@ fn area_of(slope: vec2<f32>, ray: vec2<f32>) -> f32 {
 // Below 1e30, by its bits: compilers may assume that no number is NaN.
 fn finite(x: f32) -> bool { return (bitcast<u32>(x) & 0x7fffffffu) < 0x7149f2cau; }
 
-// 0, or NaN: masked.
+// 0 to 1; NaN as 0. At half resolution UP is where it counts.
 fn strength_of(p: vec2<i32>) -> f32 {
     var strength: f32 = ms_sss_fetch_strength(p);
     var number: bool = (bitcast<u32>(strength) & 0x7fffffffu) <= 0x7f800000u;
@@ -178,15 +178,15 @@ fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
             }
             var tap: vec4<f32> = ms_sss.v[at + 5 + min(k + 1, 7 / 2)]; // the one before
             var lift: vec3<f32> = vec3<f32>(1.0, 1.0, 1.0);
-            // The sine of the elevation, without what may be rounding of depths; near by that of the tap before, as far
-            // as it was found.
+            // The sine of the elevation, without what may be rounding of depths; near by, within some
+            // 0.17 radii, that of the tap before, as far as it was found.
             var rounding: f32 = rounding_of(own.a, along) * ms_sss.v[at + 1].w;
             below = facing * (below - clamp(below, -rounding, rounding));
             var sine: f32 = below / max(offset, 1e-20);
             var gap: f32 = abs(tap.w) - offset;
             if (gap > 0.0) {
-                var follow: f32 = offset / (0.17 * ms_sss.v[at].w);
-                follow = outer.a * outer.a * outer.a * outer.a / (1.0 + follow * follow * follow * follow);
+                var s: f32 = offset / (0.17 * ms_sss.v[at].w);
+                var follow: f32 = outer.a * outer.a * outer.a * outer.a / (1.0 + s * s * s * s);
                 sine = sine + follow * (outer_sine * sum.a * offset / abs(tap.w) - sine);
             }
             // The area of the tap before: by the slope from this one to it.
