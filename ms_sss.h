@@ -3977,6 +3977,7 @@ static MS_SSS__COLD void ms_sss__kernel_constants(const ms_sss_kernel *k, int wa
         at[3][c] = p->elevation_4[c];
         at[4][c] = p->root_r[c];
     }
+    at[4][3] = p->least_sine;
     at += MS_SSS__PROFILE_HEAD;
     for (i = 0; i <= k->tap_count / 2; ++i) {
         for (c = 0; c < 3; ++c) at[i][c] = k->weight[term][i][c];

@@ -155,6 +155,7 @@
 #define ELEVATION(at) CONSTANT[at + 3].rgb // K / 4
 #define MIXED(at) CONSTANT[at + 3].w // bits: channels with weights of both signs
 #define ROOT(at) CONSTANT[at + 4].rgb // of the reflectance
+#define LEAST_SINE(at) CONSTANT[at + 4].w // where 1 + K / 4 sin(theta) is 0, or -1
 #define TAP(at, i) CONSTANT[at + 5 + i] // weight; offset in mm. 0: the center; then one of each pair
 
 #if defined(MS_SSS_HLSL)
@@ -342,9 +343,8 @@ float2 pixels_at(float depth, int at) {
 float radius_of(float2 pixels, int at) { return RADIUS_MM(at) * max(pixels.x, pixels.y); }
 
 // How much more light enters below the tangent plane, at this sine of the elevation; not below 0.
-float3 lift_of(float sine, float3 elevation) {
-    float least = -1.0 / max(1.0, max(elevation.r, max(elevation.g, elevation.b)));
-    float3 lift = 1.0 + elevation * clamp(sine, least, 1.0);
+float3 lift_of(float sine, int at) {
+    float3 lift = 1.0 + ELEVATION(at) * clamp(sine, LEAST_SINE(at), 1.0);
     return lift * lift * lift * lift;
 }
 
@@ -516,6 +516,9 @@ float4 filter_pixel(int2 pixel) {
             float2 whole = floor(along);
             float4 sum = zero4;
             float below = 0.0;
+#if SLOPES
+            float elongation = min(SLOPE_SCALE * mm * mm / max(offset * offset, 1e-30), 1e6);
+#endif
             for (int i = pick(2 + 2 * MS_SSS_ROTATED, 0, k > 0); i < 2 + 2 * MS_SSS_ROTATED; i++) {
                 int2 corner = pick(pick(int2(i, 0), int2(0, i), SECOND), int2(i % 2, i / 2), MS_SSS_ROTATED > 0);
                 float2 away = abs(1.0 - float2(corner) - (along - whole));
@@ -528,7 +531,7 @@ float4 filter_pixel(int2 pixel) {
                 if (!(same(there, own) && dz * dz < 1.0)) { continue; }
                 float f = share * (1.0 - dz * dz);
 #if SLOPES
-                f = f / (min(SLOPE_SCALE * mm * mm / max(offset * offset, 1e-30), 1e6) * dz * dz + 1.0);
+                f = f / (elongation * dz * dz + 1.0);
                 below = below + f * dz;
 #else
                 f = f * (1.0 - dz * dz) * (1.0 - dz * dz) * (1.0 - dz * dz);
@@ -554,7 +557,7 @@ float4 filter_pixel(int2 pixel) {
             float bend = 0.0;
             if (gap > 1e-20 && MIXED(at) < 0.5) { bend = (outer_lower - lower) / gap; }
             outer = outer * min(0.5 * SLOPE_SCALE * bend * bend + 1.0, 3.0);
-            lift = lift_of(outer_sine, ELEVATION(at));
+            lift = lift_of(outer_sine, at);
             outer_sine = sine;
             outer_lower = lower;
 #endif

@@ -240,7 +240,8 @@ float4 filter_pixel(int2 pixel) {
         if (!(abs(there.a) > 0.0)) { continue; }
         // Elevation: sin(theta) over the distance of 1 or sqrt(2) pixels; none from a radius of 20 on.
         float sine = max(away - facet, 0.0) / area * clamp(2.0 - 0.1 * radius, 0.0, 1.0);
-        float3 lift = lift_of(sine * pick(0.70710678, 1.0, beside.x == 0 || beside.y == 0), K_4);
+        float3 lift = 1.0 + K_4 * min(sine * pick(0.70710678, 1.0, beside.x == 0 || beside.y == 0), 1.0);
+        lift = lift * lift * lift * lift;
         near_light = near_light + f * lift * there.rgb;
         near_factor = near_factor + f * lift;
         near_weight = near_weight + f;

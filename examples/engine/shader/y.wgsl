@@ -119,9 +119,8 @@ fn pixels_at(depth: f32, at: i32) -> vec2<f32> {
 fn radius_of(pixels: vec2<f32>, at: i32) -> f32 { return ms_sss.v[at].w * max(pixels.x, pixels.y); }
 
 // How much more light enters below the tangent plane, at this sine of the elevation; not below 0.
-fn lift_of(sine: f32, elevation: vec3<f32>) -> vec3<f32> {
-    var least: f32 = -1.0 / max(1.0, max(elevation.r, max(elevation.g, elevation.b)));
-    var lift: vec3<f32> = 1.0 + elevation * clamp(sine, least, 1.0);
+fn lift_of(sine: f32, at: i32) -> vec3<f32> {
+    var lift: vec3<f32> = 1.0 + ms_sss.v[at + 3].rgb * clamp(sine, ms_sss.v[at + 4].w, 1.0);
     return lift * lift * lift * lift;
 }
 
@@ -196,6 +195,7 @@ fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
             var whole: vec2<f32> = floor(along);
             var sum: vec4<f32> = vec4<f32>(0.0, 0.0, 0.0, 0.0);
             var below: f32 = 0.0;
+            var elongation: f32 = min(ms_sss.v[2].z * mm * mm / max(offset * offset, 1e-30), 1e6);
             for (var i: i32 = select(2 + 2 * 0, 0, k > 0); i < 2 + 2 * 0; i++) {
                 var corner: vec2<i32> = select(select(vec2<i32>(i, 0), vec2<i32>(0, i), true), vec2<i32>(i % 2, i / 2), 0 > 0);
                 var away: vec2<f32> = abs(1.0 - vec2<f32>(corner) - (along - whole));
@@ -207,7 +207,7 @@ fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
                 dz = dz * ms_sss.v[at + 1].w;
                 if (!(same(there, own) && dz * dz < 1.0)) { continue; }
                 var f: f32 = share * (1.0 - dz * dz);
-                f = f / (min(ms_sss.v[2].z * mm * mm / max(offset * offset, 1e-30), 1e6) * dz * dz + 1.0);
+                f = f / (elongation * dz * dz + 1.0);
                 below = below + f * dz;
                 sum = sum + vec4<f32>(there.rgb * f, f);
             }
@@ -229,7 +229,7 @@ fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
             var bend: f32 = 0.0;
             if (gap > 1e-20 && ms_sss.v[at + 3].w < 0.5) { bend = (outer_lower - lower) / gap; }
             outer = outer * min(0.5 * ms_sss.v[2].z * bend * bend + 1.0, 3.0);
-            lift = lift_of(outer_sine, ms_sss.v[at + 3].rgb);
+            lift = lift_of(outer_sine, at);
             outer_sine = sine;
             outer_lower = lower;
             weight = weight + tap.rgb * outer.a;
