@@ -343,8 +343,8 @@ float2 pixels_at(float depth, int at) {
 float radius_of(float2 pixels, int at) { return RADIUS_MM(at) * max(pixels.x, pixels.y); }
 
 // How much more light enters below the tangent plane, at this sine of the elevation; not below 0.
-float3 lift_of(float sine, int at) {
-    float3 lift = 1.0 + ELEVATION(at) * clamp(sine, LEAST_SINE(at), 1.0);
+float3 lift_of(float sine, float least, float3 elevation) {
+    float3 lift = 1.0 + elevation * clamp(sine, least, 1.0);
     return lift * lift * lift * lift;
 }
 
@@ -499,7 +499,10 @@ float4 filter_pixel(int2 pixel) {
     plane = slopes * side() / focal();
     float mm = MM_PER_UNIT / DEPTH_SCALE(at); // of a unit of dz
     float facing = mm / area_of(slopes, ray);
+    float3 elevation = ELEVATION(at);
+    float least_sine = LEAST_SINE(at);
 #endif
+    float radius_mm = RADIUS_MM(at);
     axis = axis * pixels;
 
     float3 result = own.rgb * TAP(at, 0).rgb;
@@ -548,8 +551,8 @@ float4 filter_pixel(int2 pixel) {
             float sine = below / max(offset, 1e-20);
             float gap = abs(tap.w) - offset;
             if (gap > 0.0) {
-                float s = offset / (0.17 * RADIUS_MM(at));
-                float follow = outer.a * outer.a * outer.a * outer.a / (1.0 + s * s * s * s);
+                float s_2 = offset * offset / (0.0289 * radius_mm * radius_mm);
+                float follow = outer.a * outer.a * outer.a * outer.a / (1.0 + s_2 * s_2);
                 sine = sine + follow * (outer_sine * sum.a * offset / abs(tap.w) - sine);
             }
             // The area of the tap before: by the slope from this one to it.
@@ -557,7 +560,7 @@ float4 filter_pixel(int2 pixel) {
             float bend = 0.0;
             if (gap > 1e-20 && MIXED(at) < 0.5) { bend = (outer_lower - lower) / gap; }
             outer = outer * min(0.5 * SLOPE_SCALE * bend * bend + 1.0, 3.0);
-            lift = lift_of(outer_sine, at);
+            lift = lift_of(outer_sine, least_sine, elevation);
             outer_sine = sine;
             outer_lower = lower;
 #endif

@@ -45,7 +45,7 @@ float4 filter_pixel(int2 pixel) {
         float f = (1.0 - dz * dz) / (min(SLOPE_SCALE * mm * mm / max(r * r, 1e-30), 1e6) * dz * dz + 1.0);
         float rounding = rounding_of(own.a, away) * DEPTH_SCALE(at);
         float below = facing * (dz - clamp(dz, -rounding, rounding));
-        float3 lift = lift_of(below / max(abs(r), 1e-20), at) * tap.rgb * f;
+        float3 lift = lift_of(below / max(abs(r), 1e-20), LEAST_SINE(at), ELEVATION(at)) * tap.rgb * f;
         weight = weight + tap.rgb * f;
         lifted = lifted + lift;
         result = result + lift * there.rgb;

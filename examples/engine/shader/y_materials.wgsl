@@ -89,8 +89,8 @@ fn pixels_at(depth: f32, at: i32) -> vec2<f32> {
 fn radius_of(pixels: vec2<f32>, at: i32) -> f32 { return ms_sss.v[at].w * max(pixels.x, pixels.y); }
 
 // How much more light enters below the tangent plane, at this sine of the elevation; not below 0.
-fn lift_of(sine: f32, at: i32) -> vec3<f32> {
-    var lift: vec3<f32> = 1.0 + ms_sss.v[at + 3].rgb * clamp(sine, ms_sss.v[at + 4].w, 1.0);
+fn lift_of(sine: f32, least: f32, elevation: vec3<f32>) -> vec3<f32> {
+    var lift: vec3<f32> = 1.0 + elevation * clamp(sine, least, 1.0);
     return lift * lift * lift * lift;
 }
 
@@ -149,6 +149,9 @@ fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
     plane = slopes * side() / focal();
     var mm: f32 = ms_sss.v[2].x / ms_sss.v[at + 1].w; // of a unit of dz
     var facing: f32 = mm / area_of(slopes, ray);
+    var elevation: vec3<f32> = ms_sss.v[at + 3].rgb;
+    var least_sine: f32 = ms_sss.v[at + 4].w;
+    var radius_mm: f32 = ms_sss.v[at].w;
     axis = axis * pixels;
 
     var result: vec3<f32> = own.rgb * ms_sss.v[at + 5 + 0].rgb;
@@ -190,8 +193,8 @@ fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
             var sine: f32 = below / max(offset, 1e-20);
             var gap: f32 = abs(tap.w) - offset;
             if (gap > 0.0) {
-                var s: f32 = offset / (0.17 * ms_sss.v[at].w);
-                var follow: f32 = outer.a * outer.a * outer.a * outer.a / (1.0 + s * s * s * s);
+                var s_2: f32 = offset * offset / (0.0289 * radius_mm * radius_mm);
+                var follow: f32 = outer.a * outer.a * outer.a * outer.a / (1.0 + s_2 * s_2);
                 sine = sine + follow * (outer_sine * sum.a * offset / abs(tap.w) - sine);
             }
             // The area of the tap before: by the slope from this one to it.
@@ -199,7 +202,7 @@ fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
             var bend: f32 = 0.0;
             if (gap > 1e-20 && ms_sss.v[at + 3].w < 0.5) { bend = (outer_lower - lower) / gap; }
             outer = outer * min(0.5 * ms_sss.v[2].z * bend * bend + 1.0, 3.0);
-            lift = lift_of(outer_sine, at);
+            lift = lift_of(outer_sine, least_sine, elevation);
             outer_sine = sine;
             outer_lower = lower;
             weight = weight + tap.rgb * outer.a;
