@@ -3842,13 +3842,14 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
 
 /* ---- GPU code -------------------------------------------------------------------------------------------------- */
 
-enum { MS_SSS__PICTURE_HEAD = 4, MS_SSS__PROFILE_HEAD = 5, MS_SSS__LEVEL_HEAD = 7 }; /* float4 before what repeats */
+/* float4: that all steps begin with; of a profile before its taps; of a pyramid before its tables */
+enum { MS_SSS__SHADER_HEAD = 4, MS_SSS__PROFILE_HEAD = 5, MS_SSS__PYRAMID_HEAD = 3 };
 
-static int ms_sss__shader_stride(const ms_sss_shader *s) { return MS_SSS__PROFILE_HEAD + s->tap_count / 2 + 1; }
+static int ms_sss__is_pyramid_step(const ms_sss_shader *s) { return s->step >= MS_SSS_STEP_BASE; }
 
 static int ms_sss__shader_profiles(const ms_sss_shader *s) { return s->profile_count > 0 ? s->profile_count : 1; }
 
-static int ms_sss__is_pyramid_step(const ms_sss_shader *s) { return (int)s->step >= (int)MS_SSS_STEP_BASE; }
+static int ms_sss__shader_stride(const ms_sss_shader *s) { return MS_SSS__PROFILE_HEAD + s->tap_count / 2 + 1; }
 
 /* The number of terms whose constants a step reads. */
 static int ms_sss__shader_terms(const ms_sss_shader *s)
@@ -3890,10 +3891,8 @@ MS_API ms_sss_shader ms_sss_shader_defaults(void)
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
 {
     if (ms_sss__check_shader(shader, NULL) != MS_OK) return 0;
-    if (shader->step == MS_SSS_STEP_RESOLVE) return MS_SSS__LEVEL_HEAD + 3 * MS_SSS_PYRAMID_SIZES;
-    if (ms_sss__is_pyramid_step(shader))
-        return MS_SSS__LEVEL_HEAD + (shader->step == MS_SSS_STEP_GATHER ? MS_SSS_PYRAMID_SIZES : 0);
-    return MS_SSS__PICTURE_HEAD +
+    if (ms_sss__is_pyramid_step(shader)) return MS_SSS__SHADER_HEAD + MS_SSS__PYRAMID_HEAD + 3 * MS_SSS_PYRAMID_SIZES;
+    return MS_SSS__SHADER_HEAD +
         ms_sss__shader_terms(shader) * ms_sss__shader_profiles(shader) * ms_sss__shader_stride(shader);
 }
 
@@ -3911,16 +3910,15 @@ MS_API int ms_sss_shader_levels(int width, int height)
 /* Refuses a kernel that shows stairs at shader->nearest: so many pairs of taps keep bands within MS_SSS_BANDS_SEEN up
    to a radius of so many pixels, the least of seven profiles, of skin1, marble, ketchup and four of Burley's, at radii
    from 6 to 188 pixels. */
-static MS_SSS__COLD ms_status ms_sss__check_stairs(const ms_sss_kernel *k, const ms_sss_filter_options *o, int width,
-                                                   int height, const ms_sss_shader *s, ms_error *error)
+static MS_SSS__COLD ms_status ms_sss__check_stairs(const ms_sss_kernel *k, const ms_sss__view *view,
+                                                   const ms_sss_shader *s, ms_error *error)
 {
     static const unsigned char most[13] = {0, 1, 4, 8, 12, 16, 23, 29, 47, 65, 90, 115, 150};
-    const int side = width > height ? width : height;
-    double pixels = (double)k->radius_mm * ms_sss__make_view(o, width, height).pixels_per_mm;
+    double pixels = (double)k->radius_mm * view->pixels_per_mm;
     int pairs = k->tap_count / 2;
     if (!(s->nearest > 0)) return MS_OK;
-    if (o->fov_degrees > 0) pixels /= (double)s->nearest;
-    if (pixels > side) pixels = side;
+    if (view->perspective) pixels /= (double)s->nearest;
+    if (pixels > ms_sss__longer_side(view)) pixels = ms_sss__longer_side(view);
     if (s->half_resolution) pixels /= 2;
     while (pixels > (pairs <= 12 ? most[pairs] : pairs * pairs)) ++pairs;
     if (pairs == k->tap_count / 2) return MS_OK;
@@ -3929,84 +3927,62 @@ static MS_SSS__COLD ms_status ms_sss__check_stairs(const ms_sss_kernel *k, const
                     k->tap_count, 2 * pairs + 1);
 }
 
-static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_sss_filter_options *options, int width,
-                                                        int height, const ms_sss_shader *shader, float (*out)[4],
-                                                        ms_error *error)
+/* What the constants of a pyramid's step have in place of the last of the head, and behind it. */
+static void ms_sss__level_constants(const ms_sss_pyramid *pyramid, int profile, const ms_sss_filter_options *options,
+                                    const ms_sss__view *view, const ms_sss_shader *shader, float (*out)[4])
 {
-    const int levels = ms_sss_shader_levels(width, height), level = shader->level;
-    const int tables = (ms_sss_shader_constant_count(shader) - MS_SSS__LEVEL_HEAD) / MS_SSS_PYRAMID_SIZES;
-    const ms_sss_pyramid *pyramid = shader->pyramids;
-    const float *a = options->pixels_per_mm;
+    const int level = shader->level, coarser = ms_sss_shader_levels(view->width, view->height) - level - 1;
+    const int next = level + 1 < MS_SSS_PYRAMID_LEVELS ? level + 1 : level;
+    ms_sss_filter_options fast = *options;
     ms_sss_kernel kernel;
-    ms_sss_filter_options round = *options;
-    const ms_sss__view view = ms_sss__make_view(options, width, height);
     ms_sss__pass pass;
     ms_sss__pyramid_params g;
-    float unit;
-    int i, c;
-    if (ms_sss__differ(shader->rotation, 0) || shader->jitter > 0 || (a[1] > 0 && ms_sss__differ(a[0], a[1])))
-        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round, without rotation or jitter");
-    if (!pyramid) return MS_SSS__REFUSE(error, "shader->pyramids is NULL");
-    {
-        const ms_sss__range ranges[] = {{"profile", (double)profile, 0, (double)(ms_sss__shader_profiles(shader) - 1)},
-                                        {"level", (double)level, 0, (double)(levels - 1)}};
-        const ms_status status = ms_sss__check_ranges(ranges, 2, error);
-        if (status != MS_OK) return status;
-    }
-    pyramid += profile;
+    int i, table;
+    fast.exact = 0;
     ms_sss__pyramid_kernel(pyramid, &kernel);
-    round.flat = 1;
-    ms_sss__set_kernel(&pass, &view, &kernel, &round, 1);
-    round.flat = options->flat;
-    round.exact = 0;
-    ms_sss__pyramid_set_params(&g, &pass, pyramid, &round, 1);
+    ms_sss__set_kernel(&pass, view, &kernel, &fast, 1);
+    ms_sss__pyramid_set_params(&g, &pass, pyramid, &fast, 1);
     ms_sss__pyramid_tap_sums(&g, level);
-    unit = g.perspective ? 1 : pass.depth_scale; /* depth as it is given */
+    if (!g.perspective) g.plane_rounding *= pass.depth_scale; /* depth as it is given */
     {
-        const float head[MS_SSS__LEVEL_HEAD][4] = {
-            {(float)width, (float)height, 1.0f - shader->fade, (float)profile},
-            {g.perspective ? g.radius_px / pass.depth_scale : g.radius_px, g.radius_px_most,
-             g.depth_aware ? g.step / unit : 1e30f,
-             g.tangent}, /* 1e30: nothing is deep, where depth only scales the kernel */
-            {shader->step == MS_SSS_STEP_SHRINK ? g.merge_reach : g.reach, g.slope_scale, (float)(1 << (level + 1)),
-             MS_SSS__GATHER(0, level)},
-            {g.elevation_4[0], g.elevation_4[1], g.elevation_4[2], g.norm},
-            {g.max_factor[0], g.max_factor[1], g.max_factor[2], g.mean},
-            {g.spread, g.plane_rounding * unit, g.rounding, (float)((level + 1 < levels) + (level + 2 < levels))},
-            {g.middle[0], g.middle[1], (float)shader->origin[0], (float)shader->origin[1]}};
-        memcpy(out, head, sizeof head);
+        const float own[1 + MS_SSS__PYRAMID_HEAD][4] = {
+            {(float)(2 << level), (float)profile, pyramid->radius_mm,
+             shader->step == MS_SSS_STEP_SHRINK ? g.merge_reach : g.reach},
+            {g.elevation_4[0], g.elevation_4[1], g.elevation_4[2], (float)(coarser < 2 ? coarser : 2)},
+            {g.max_factor[0], g.max_factor[1], g.max_factor[2], MS_SSS__GATHER(0, level)},
+            {g.norm, g.mean, g.spread, g.plane_rounding}};
+        memcpy(out + MS_SSS__SHADER_HEAD - 1, own, sizeof own);
     }
-    out += MS_SSS__LEVEL_HEAD;
-    memset(out, 0, (size_t)(tables * MS_SSS_PYRAMID_SIZES) * sizeof *out);
-    for (i = 0; i < MS_SSS_PYRAMID_SIZES && tables > 0; ++i, ++out) {
-        if (level + 1 < MS_SSS_PYRAMID_LEVELS) memcpy(out, pyramid->weight[0][i][level + 1][1], 3 * sizeof(float));
-        for (c = 1; c < tables; ++c)
-            memcpy(out + c * MS_SSS_PYRAMID_SIZES, pyramid->weight[0][i][0][c - 1], 3 * sizeof(float));
-    }
-    return MS_OK;
+    out += MS_SSS__SHADER_HEAD + MS_SSS__PYRAMID_HEAD;
+    for (table = 0; table < 3; ++table) /* of the next level; of the pixel's own light and its neighbors' */
+        for (i = 0; i < MS_SSS_PYRAMID_SIZES; ++i, ++out)
+            memcpy(out, table ? pyramid->weight[0][i][0][table - 1] : pyramid->weight[0][i][next][1],
+                   3 * sizeof(float));
 }
 
-/* The constants of a kernel's term: total and radius, scale and depth scale, delta and split, elevation and mixed, root
-   and reach, the center and one tap of each pair. A kernel without that term adds nothing. */
+/* The constants of a kernel's term. A kernel without that term adds nothing. */
 static MS_SSS__COLD void ms_sss__kernel_constants(const ms_sss_kernel *k, int wanted, ms_sss__pass *p, float (*at)[4])
 {
     const int has = wanted < k->term_count, term = has ? wanted : 0;
     int i, c;
     ms_sss__totals(k, term, p->total, p->mixed);
+    at[0][3] = k->radius_mm;
+    at[1][3] = p->depth_scale;
+    at[2][3] = p->average_dz * p->average_dz;
+    at[3][3] = (float)(p->mixed[0] + 2 * p->mixed[1] + 4 * p->mixed[2]);
     for (c = 0; c < 3; ++c) {
         at[0][c] = p->total[c];
         at[1][c] = has ? k->scale[term][c] : 0;
         at[2][c] = has ? k->delta[c] : 0;
         at[3][c] = p->elevation_4[c];
         at[4][c] = p->root_r[c];
-        for (i = 0; i <= k->tap_count / 2; ++i) at[MS_SSS__PROFILE_HEAD + i][c] = k->weight[term][i][c];
     }
-    at[0][3] = k->radius_mm;
-    at[1][3] = p->depth_scale;
-    at[2][3] = p->average_dz * p->average_dz;
-    at[3][3] = (float)(p->mixed[0] + 2 * p->mixed[1] + 4 * p->mixed[2]);
-    at[4][3] = p->edge_dz2;
-    for (i = 0; i <= k->tap_count / 2; ++i) at[MS_SSS__PROFILE_HEAD + i][3] = k->offset_mm[i];
+    at[4][3] = p->least_sine;
+    at += MS_SSS__PROFILE_HEAD;
+    for (i = 0; i <= k->tap_count / 2; ++i) {
+        for (c = 0; c < 3; ++c) at[i][c] = k->weight[term][i][c];
+        at[i][3] = k->offset_mm[i];
+    }
 }
 
 MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int index,
@@ -4016,43 +3992,58 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
     ms_sss__view view;
     ms_sss__pass pass;
     ms_status status;
-    int count, terms = 0, i;
-    double focal;
+    int pyramid, depth, count, terms = 0, i;
     if ((status = ms_sss__check_shader(shader, error)) != MS_OK) return status;
     if (!options) return MS_SSS__REFUSE(error, "options is NULL");
     if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
     if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
     if (!out) return MS_SSS__REFUSE(error, "out is NULL");
-    if (ms_sss__is_pyramid_step(shader))
-        return ms_sss__pyramid_constants(index, options, width, height, shader, out, error);
-    if (!kernels) return MS_SSS__REFUSE(error, "kernels is NULL");
-    count = ms_sss__shader_profiles(shader);
-    for (i = 0; i < count; ++i) { /* all are checked before anything is written */
-        if ((status = ms_sss__check_kernel(&kernels[i], i, error)) != MS_OK) return status;
-        if (kernels[i].tap_count > shader->tap_count)
-            return MS_SSS__REFUSE_AT(error, i, "kernel %d has %d taps, more than the shader's tap_count %d", i,
-                                     kernels[i].tap_count, shader->tap_count);
-        if ((status = ms_sss__check_stairs(&kernels[i], options, width, height, shader, error)) != MS_OK) return status;
-        if (kernels[i].term_count > terms) terms = kernels[i].term_count;
-    }
-    if (index < 0 || index >= terms)
-        return MS_SSS__REFUSE(error, "term %d is not within the kernels' %d", index, terms);
-    memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
     view = ms_sss__make_view(options, width, height);
-    focal = view.pixels_per_mm * view.mm_per_unit;
-    for (i = 0; i < count * ms_sss__shader_terms(shader); ++i) {
+    pyramid = ms_sss__is_pyramid_step(shader);
+    count = ms_sss__shader_profiles(shader);
+    if (pyramid) {
+        const ms_sss__range ranges[] = {
+            {"profile", (double)index, 0, (double)(count - 1)},
+            {"level", (double)shader->level, 0, (double)(ms_sss_shader_levels(width, height) - 1)}};
+        if (ms_sss__differ(shader->rotation, 0) || shader->jitter > 0 || ms_sss__differ(view.aspect[1], 1))
+            return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round, without rotation or jitter");
+        if (!shader->pyramids) return MS_SSS__REFUSE(error, "shader->pyramids is NULL");
+        if ((status = ms_sss__check_ranges(ranges, 2, error)) != MS_OK) return status;
+    } else if (!kernels) {
+        return MS_SSS__REFUSE(error, "kernels is NULL");
+    }
+    for (i = 0; i < count && !pyramid; ++i) {
+        const ms_sss_kernel *k = &kernels[i];
+        if ((status = ms_sss__check_kernel(k, i, error)) != MS_OK) return status;
+        if (k->tap_count > shader->tap_count)
+            return MS_SSS__REFUSE_AT(error, i, "kernel %d has %d taps, more than the shader's tap_count %d", i,
+                                     k->tap_count, shader->tap_count);
+        if ((status = ms_sss__check_stairs(k, &view, shader, error)) != MS_OK) return status;
+        if (k->term_count > terms) terms = k->term_count;
+    }
+    if (!pyramid && (index < 0 || index >= terms))
+        return MS_SSS__REFUSE(error, "term %d is not within the kernels' %d", index, terms);
+
+    /* all is checked before anything is written */
+    memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
+    depth = ms_sss__uses_depth(options, 1);
+    {
+        const float pixels = (float)view.pixels_per_mm, first = index == 0;
+        const float mm_per_unit = pyramid && !depth ? 1e-20f : (float)view.mm_per_unit; /* nothing is deep */
+        const float head[MS_SSS__SHADER_HEAD][4] = {
+            {(float)width, (float)height, view.middle[0], view.middle[1]},
+            {(float)shader->origin[0], (float)shader->origin[1], pixels, pixels * view.aspect[1]},
+            {mm_per_unit, (float)view.perspective, depth ? 1 - options->flat : 0, 1 - shader->fade},
+            {shader->rotation, shader->jitter, first, 0},
+        };
+        memcpy(out, head, sizeof head);
+    }
+    if (pyramid) ms_sss__level_constants(&shader->pyramids[index], index, options, &view, shader, out);
+    for (i = 0; i < count * ms_sss__shader_terms(shader) && !pyramid; ++i) {
         const ms_sss_kernel *k = &kernels[i % count];
         const int term = shader->step == MS_SSS_STEP_UP ? i / count : index;
         ms_sss__set_kernel(&pass, &view, k, options, 1);
-        ms_sss__kernel_constants(k, term, &pass, out + MS_SSS__PICTURE_HEAD + i * ms_sss__shader_stride(shader));
-    }
-    {
-        const float head[MS_SSS__PICTURE_HEAD][4] = {
-            {(float)width, (float)height, (float)view.pixels_per_mm, 1.0f - shader->fade},
-            {view.aspect[0], view.aspect[1], shader->rotation, shader->jitter},
-            {index == 0 ? 1.0f : 0.0f, (float)focal, (float)(focal * (double)view.aspect[1]), 1.0f - options->flat},
-            {view.middle[0], view.middle[1], (float)shader->origin[0], (float)shader->origin[1]}};
-        memcpy(out, head, sizeof head);
+        ms_sss__kernel_constants(k, term, &pass, out + MS_SSS__SHADER_HEAD + i * ms_sss__shader_stride(shader));
     }
     return MS_OK;
 }

@@ -219,12 +219,12 @@ static plain_view plain_view_of(const one_case *t, const float (*c)[4])
 {
     plain_view v;
     memset(&v, 0, sizeof v);
-    v.width = (double)c[0][0], v.height = (double)c[0][1], v.pixels = (double)c[0][2], v.gain = (double)c[0][3];
-    v.rotation = (double)c[1][2], v.jitter = (double)c[1][3], v.first = (double)c[2][0];
-    v.slope_scale = (double)c[2][3];
-    v.aspect[0] = (double)c[1][0], v.aspect[1] = (double)c[1][1];
-    v.focal[0] = (double)c[2][1], v.focal[1] = (double)c[2][2];
-    v.center[0] = (double)c[3][0], v.center[1] = (double)c[3][1];
+    v.width = (double)c[0][0], v.height = (double)c[0][1];
+    v.center[0] = (double)c[0][2], v.center[1] = (double)c[0][3];
+    v.pixels = (double)c[1][2], v.aspect[0] = 1, v.aspect[1] = (double)c[1][3] / v.pixels;
+    v.focal[0] = (double)c[1][2] * (double)c[2][0], v.focal[1] = (double)c[1][3] * (double)c[2][0];
+    v.slope_scale = (double)c[2][2], v.gain = (double)c[2][3];
+    v.rotation = (double)c[3][0], v.jitter = (double)c[3][1], v.first = (double)c[3][2];
     v.of = c + 4;
     v.taps = t->shader.tap_count;
     v.stride = 6 + v.taps / 2;
@@ -323,7 +323,7 @@ static void plain_pass(const one_case *t, const plain_view *v, const plain_pictu
                 mm = v->focal[0] / (v->pixels * (double)of[1][3]);
                 area = 1;
                 if (!v->flat) {
-                    const double most = sqrt((double)of[4][3]) / (double)of[1][3];
+                    const double most = (double)of[0][3] * v->pixels / v->focal[0]; /* the radius, as depth */
                     double slope, towards;
                     for (c = 0; c < 2; ++c)
                         ray[c] = v->perspective ? (((c ? y : x) + 0.5) * in->side - v->center[c]) / v->focal[0] : 0;
@@ -810,7 +810,6 @@ static void bind_reads(const one_case *t, one_step step, GLuint program)
 static void make_text(const one_case *t)
 {
     sss_text about = t->text;
-    about.perspective = t->options.fov_degrees > 0;
     about.flat = !shaped(t);
     about.rotated = t->shader.rotation > 0 || t->shader.jitter > 0;
     if (!sss_shader_text(&t->shader, &about, text, sizeof text)) TEST_FAIL("no text of step %d", (int)t->shader.step);
@@ -1054,7 +1053,6 @@ static int variant(int i, int language)
     if (i % 3 == 2 && language <= SSS_GLSL_ES_300) about.fetch = own_fetch;
     s.step = i / 9 % 3 == 1 ? MS_SSS_STEP_Y : MS_SSS_STEP_X;
     about.strength = bits & 1;
-    about.perspective = bits >> 1 & 1;
     about.rotated = bits >> 2 & 1;
     s.profile_count = i / 3 % 3 > 0 ? 1 + (bits >> 3 & 1) * 15 : 0;
     about.flat = (bits >> 4 & 1) | about.without_depth;
@@ -1374,14 +1372,13 @@ static void case_constants(void)
         TEST_FAIL("%s", error.message);
     /* a resize changes size, center, and pixels and focal in proportion to the height */
     memcpy(wanted, constants, sizeof wanted);
-    CHECK_NEAR((double)wanted[0][2], 360 / (2 * tan(20 * 3.14159265358979 / 180) * 10), 1e-4);
+    CHECK_NEAR((double)wanted[1][2], 360 / (2 * tan(20 * 3.14159265358979 / 180) * 10), 1e-4);
     wanted[0][0] = 1280;
     wanted[0][1] = 720;
-    wanted[0][2] *= 2;
-    wanted[2][1] *= 2;
-    wanted[2][2] *= 2;
-    wanted[3][0] = 640;
-    wanted[3][1] = 360;
+    wanted[0][2] = 640;
+    wanted[0][3] = 360;
+    wanted[1][2] *= 2;
+    wanted[1][3] *= 2;
     if (ms_sss_shader_constants(t.kernel, 0, &t.options, 1280, 720, &t.shader, constants, &error) != MS_OK)
         TEST_FAIL("%s", error.message);
     for (i = 0; i < 4 * ms_sss_shader_constant_count(&t.shader); ++i)
@@ -1401,11 +1398,12 @@ static void case_constants(void)
         t.shader.level = i;
         if (ms_sss_shader_constants(NULL, 2, &t.options, 640, 360, &t.shader, constants, &error) != MS_OK)
             TEST_FAIL("%s", error.message);
-        CHECK(constants[0][0] == 640 && constants[0][1] == 360 && constants[0][2] == 0.75f && constants[0][3] == 2);
-        CHECK_NEAR((double)constants[1][3], tan(20 * 3.14159265358979 / 180) / 180, 1e-9); /* of a pixel's ray */
-        CHECK(constants[2][1] == 1 && constants[2][2] == (float)(2 << i));
-        CHECK_NEAR((double)constants[3][0], ms_sss_elevation(0.5, 1) / 4, 1e-6);
-        CHECK_NEAR((double)constants[4][0], 2, 1e-6);
+        CHECK(constants[0][0] == 640 && constants[0][1] == 360 && constants[2][2] == 1 && constants[2][3] == 0.75f);
+        CHECK_NEAR(1 / ((double)constants[1][2] * (double)constants[2][0]), tan(20 * 3.14159265358979 / 180) / 180,
+                   1e-9); /* of a pixel's ray */
+        CHECK(constants[3][0] == (float)(2 << i) && constants[3][1] == 2);
+        CHECK_NEAR((double)constants[4][0], ms_sss_elevation(0.5, 1) / 4, 1e-6);
+        CHECK_NEAR((double)constants[5][0], 2, 1e-6);
     }
 }
 
@@ -1659,7 +1657,7 @@ static void walk_errors(const char *picture, const char *profile_path, double ou
         TEST_FAIL("%s", error.message);
     ms_sss_profile_destroy(p);
     memset(&about, 0, sizeof about);
-    about.perspective = about.rotated = 1;
+    about.rotated = 1;
     texture[0] = gl_texture(COLOR, GL_RGBA32F, 320, 180, walk_light);
     texture[1] = gl_texture(DEPTH, GL_R32F, 320, 180, walk_depth);
     texture[2] = gl_texture(RESULT, GL_RGBA32F, 320, 180, NULL);

@@ -10,7 +10,7 @@ enum { SSS_TRANSMISSION = 8, SSS_DISC = 9 }; /* steps that ms_sss_step has not *
 
 /* What a text depends on beside ms_sss_shader. */
 typedef struct sss_text {
-    int language, perspective, flat, normal, strength, without_depth, rotated;
+    int language, flat, normal, strength, without_depth, rotated;
     const char *fetch; /* the engine's functions, in the language; NULL: of the textures ms_sss_color and so on */
 } sss_text;
 
@@ -86,12 +86,12 @@ static int sss_shader_text(const ms_sss_shader *s, const sss_text *t, char *out,
         if (!f || !file[i] || fread(file[i], 1, (1 << 16) - 1, f) == 0) return 0;
         fclose(f);
     }
-    snprintf(defines, sizeof defines,
-             "#define MS_SSS_STEP %d\n#define MS_SSS_TAPS %d\n#define MS_SSS_PROFILES %d\n#define MS_SSS_TERMS %d\n"
-             "#define MS_SSS_PERSPECTIVE %d\n#define MS_SSS_FLAT %d\n#define MS_SSS_NORMAL %d\n"
-             "#define MS_SSS_STRENGTH %d\n#define MS_SSS_ROTATED %d\n#define MS_SSS_HALF %d\n",
-             (int)s->step, s->tap_count, s->profile_count, s->term_count > 1 ? s->term_count : 1, t->perspective,
-             t->flat, t->normal, t->strength, t->rotated, s->half_resolution);
+    snprintf(
+        defines, sizeof defines,
+        "#define MS_SSS_STEP %d\n#define MS_SSS_TAPS %d\n#define MS_SSS_PROFILES %d\n#define MS_SSS_TERMS %d\n"
+        "#define MS_SSS_SLOPES %d\n#define MS_SSS_STRENGTH %d\n#define MS_SSS_ROTATED %d\n#define MS_SSS_HALF %d\n",
+        (int)s->step, s->tap_count, s->profile_count, s->term_count > 1 ? s->term_count : 1,
+        t->flat ? 0 : 1 + t->normal, t->strength, t->rotated, s->half_resolution);
     if (t->language == SSS_WGSL) {
         size_t n;
         if (wgsl_make(defines, file[0], more ? file[more] : NULL, out, capacity)) return 0;

@@ -665,7 +665,7 @@ def kernels(b):
         text = copied("[data-code='%d']" % k)
         numbers = [float(v) for v in re.findall(r"-?\d+\.\d+", text[text.index("="):])]
         check("the same in " + language, numbers[:28] == flat and numbers[28:31] == kernel["delta"], text)
-    for k, word in enumerate(("#version 330", "#version 300 es", "#version 450", "SV_Target", "@fragment")):
+    for k, word in enumerate(("#version 330", "#version 300 es", "#version 450", "#define MS_SSS_HLSL", "@fragment")):
         text = copied("[data-shader='%d']" % k)
         count = sum(word in line and not line.startswith("//") for line in text.split("\n"))
         check("passes, " + word, count == 2 and "ms_sss" in text, text[:200])

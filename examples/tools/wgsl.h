@@ -72,9 +72,9 @@ static const wgsl_variant wgsl_usual[4] = {
     {"x.wgsl", "#define MS_SSS_STEP 0\n"},
     {"y.wgsl", "#define MS_SSS_STEP 1\n"},
     {"x_materials.wgsl",
-     "#define MS_SSS_STEP 0\n#define MS_SSS_PROFILES 16\n#define MS_SSS_NORMAL 1\n#define MS_SSS_STRENGTH 1\n"},
+     "#define MS_SSS_STEP 0\n#define MS_SSS_PROFILES 16\n#define MS_SSS_SLOPES 2\n#define MS_SSS_STRENGTH 1\n"},
     {"y_materials.wgsl",
-     "#define MS_SSS_STEP 1\n#define MS_SSS_PROFILES 16\n#define MS_SSS_NORMAL 1\n#define MS_SSS_STRENGTH 1\n"}};
+     "#define MS_SSS_STEP 1\n#define MS_SSS_PROFILES 16\n#define MS_SSS_SLOPES 2\n#define MS_SSS_STRENGTH 1\n"}};
 
 static int wgsl_is_name(char c)
 {

@@ -45,7 +45,7 @@ fn ms_sss_fetch_depth(p: vec2<i32>) -> f32 { return textureLoad(depth, p, 0).r; 
 fn ms_sss_fetch_normal(p: vec2<i32>) -> vec3<f32> { return textureLoad(normals, p, 0).rgb; }
 `];
 function text({ language, way, step, flat }) {
-  const all = '#define MS_SSS_STEP ' + step + '\n#define MS_SSS_TAPS ' + wasm.taps() + '\n#define MS_SSS_FLAT ' + (flat < 1 ? 0 : 1) + '\n#define MS_SSS_NORMAL ' + (flat < 1 ? 1 : 0) +
+  const all = '#define MS_SSS_STEP ' + step + '\n#define MS_SSS_TAPS ' + wasm.taps() + '\n#define MS_SSS_SLOPES ' + (flat < 1 ? 2 : 0) +
     '\n#define MS_SSS_HALF ' + (way === 1 ? 1 : 0) + '\n', file = files[0] + (step > 3 ? files[1] : '');
   if (language < 4) return heads[language] + all + fetches[language] + file;
   const bytes = new TextEncoder().encode(all + file + '\0'), at = wasm.room(bytes.length);

@@ -222,7 +222,6 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
     s.pyramids = &pyramid;
     memset(&about, 0, sizeof about);
     about.language = SSS_GLSL_330;
-    about.perspective = 1;
     about.flat = !c->slopes;
     about.fetch = in_alpha;
     s.half_resolution = c->other == HALF;
@@ -237,7 +236,7 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
         count = ms_sss_shader_constant_count(&s);
         if (c->other == ONE_PASS) s.step = (ms_sss_step)SSS_DISC;
         if (!sss_shader_text(&s, &about, text, sizeof text)) stop(c->name, "no shader file");
-        frame[3] = constants[0][2];
+        frame[3] = constants[1][2];
         d[i].program = gl_program(gl_corner[0],
                                   c->other == RELEASED   ? released
                                       : c->other == DISC ? disc

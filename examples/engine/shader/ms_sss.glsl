@@ -18,9 +18,7 @@
 //     MS_SSS_TAPS         7        ms_sss_shader.tap_count
 //     MS_SSS_PROFILES     0        kernels that ms_sss_fetch_profile selects from, up to 16; 0: one, no profiles
 //     MS_SSS_TERMS        1        of UP: the most terms of any of the kernels
-//     MS_SSS_PERSPECTIVE  1        0: orthographic, or a light map
-//     MS_SSS_FLAT         0        1: without slopes and elevation, where options.flat is 1
-//     MS_SSS_NORMAL       0        1: slopes from normals; 0: from depth
+//     MS_SSS_SLOPES       1        from depth; 2: from normals; 0: no slopes and elevation, where options.flat is 1
 //     MS_SSS_STRENGTH     0        1: with strength
 //     MS_SSS_ROTATED      0        1: rotation or jitter of ms_sss_shader
 //     MS_SSS_HALF         0        1: X and Y lie between DOWN and UP
@@ -35,8 +33,8 @@
 //     float3 ms_sss_fetch_normal(int2 p)    in view space: x right, y down, z to the camera     X, Y
 //
 // BASE and the disc read what X reads, RESOLVE color and strength. At half resolution X and Y read DOWN's target in their
-// place. Without depth the second returns 1.0, with MS_SSS_FLAT 1. Depth of 16-bit floats also wants MS_SSS_FLAT 1: its
-// steps are seen as elevation, even where slopes are from normals.
+// place. Without depth the second returns 1.0, with MS_SSS_SLOPES 0. Depth of 16-bit floats also wants MS_SSS_SLOPES 0:
+// its steps are seen as elevation, even where slopes are from normals.
 // Targets are textures of 32-bit floats (OpenGL: GL_NEAREST), at these bindings:
 //
 //     X     writes light, and depth (0: masked) in alpha; the profile in the last 4 bits of blue
@@ -53,14 +51,8 @@
 #ifndef MS_SSS_TERMS
 #define MS_SSS_TERMS 1
 #endif
-#ifndef MS_SSS_PERSPECTIVE
-#define MS_SSS_PERSPECTIVE 1
-#endif
-#ifndef MS_SSS_FLAT
-#define MS_SSS_FLAT 0
-#endif
-#ifndef MS_SSS_NORMAL
-#define MS_SSS_NORMAL 0
+#ifndef MS_SSS_SLOPES
+#define MS_SSS_SLOPES 1
 #endif
 #ifndef MS_SSS_STRENGTH
 #define MS_SSS_STRENGTH 0
@@ -115,64 +107,46 @@
 #define HALVED (PASS && MS_SSS_HALF > 0)
 // RAW: it reads the engine's textures and masks their pixels, where others read the target of a step.
 #define RAW (BASE || DOWN || UP || DISC || (MS_SSS_STEP == 0 && !HALVED))
-#define SLOPES (MS_SSS_FLAT == 0 && (PASS || BASE || DISC))
-#define NORMALS (MS_SSS_NORMAL > 0 && SLOPES && !HALVED)
+#define SLOPES (MS_SSS_SLOPES > 0 && (PASS || BASE || DISC))
+#define NORMALS (MS_SSS_SLOPES == 2 && SLOPES && !HALVED)
 #define PACKED (MS_SSS_PROFILES > 0 && !PYRAMID)
 
-// Float4 of the constants: before the profiles (HEAD), of a profile (STRIDE), and in all.
-#define STRIDE (6 + MS_SSS_TAPS / 2)
 #if MS_SSS_PROFILES > 0
 #define KERNELS MS_SSS_PROFILES
+#define fetch_profile ms_sss_fetch_profile
 #else
 #define KERNELS 1
+#define fetch_profile(p) 0
 #endif
-#define SIZES 49 // of a pyramid's table
-#if RESOLVE
-#define HEAD 7
-#define COUNT (HEAD + 3 * SIZES)
-#elif GATHER
-#define HEAD 7
-#define COUNT (HEAD + SIZES)
-#elif PYRAMID
-#define HEAD 7
-#define COUNT HEAD
-#elif UP
+
+// Float4 of the constants: before the profiles (HEAD), of a profile (STRIDE), of a pyramid's three tables (SIZES), in all.
 #define HEAD 4
+#define STRIDE (6 + MS_SSS_TAPS / 2)
+#define SIZES 49
+#if PYRAMID
+#define COUNT (HEAD + 3 + 3 * SIZES)
+#elif UP
 #define COUNT (HEAD + MS_SSS_TERMS * KERNELS * STRIDE)
 #else
-#define HEAD 4
 #define COUNT (HEAD + KERNELS * STRIDE)
 #endif
 
 // ---- constants and textures ------------------------------------------------------------------------------------------
 
-#if defined(MS_SSS_HLSL)
-cbuffer ms_sss_block : register(b0) { float4 ms_sss[COUNT]; };
-#elif defined(MS_SSS_VULKAN)
-layout(set = 0, binding = 0) uniform ms_sss_block { vec4 ms_sss[COUNT]; };
-#elif !defined(MS_SSS_WGSL)
-#ifdef GL_ES
-precision highp float;
-precision highp int;
-precision highp sampler2D;
-#endif
-uniform vec4 ms_sss[COUNT];
-#endif
-
 #define PICTURE_SIZE CONSTANT[0].xy // in pixels, of the picture at full resolution
-#define CENTER CONSTANT[HEAD - 1].xy // of the projection, in pixels
-#define ORIGIN CONSTANT[HEAD - 1].zw // the viewport's corner
-// of X, Y, DOWN and UP
-#define PIXELS_PER_MM CONSTANT[0].z // perspective: at depth 1
-#define GAIN CONSTANT[0].w // 1 - fade
-#define ASPECT CONSTANT[1].xy // pixels a mm along x and y, relative to PIXELS_PER_MM
-#define ROTATION CONSTANT[1].z // radians
-#define JITTER CONSTANT[1].w
-#define FIRST_TERM CONSTANT[2].x // 1: the term that adds the light itself
-#define FOCAL CONSTANT[2].yz // pixels a unit of depth; perspective: at depth 1
-#define SLOPE_SCALE CONSTANT[2].w // 1 - flat
+#define CENTER CONSTANT[0].zw // of the projection, in pixels
+#define ORIGIN CONSTANT[1].xy // the viewport's corner
+#define PIXELS_PER_MM CONSTANT[1].zw // along x and y; perspective: at depth 1
+#define MM_PER_UNIT CONSTANT[2].x // of depth
+#define PERSPECTIVE CONSTANT[2].y // 1; 0: orthographic, or a light map
+#define SLOPE_SCALE CONSTANT[2].z // 1 - flat
+#define GAIN CONSTANT[2].w // 1 - fade
+// of X and Y; those of the pyramid stand in its file
+#define ROTATION CONSTANT[3].x // radians
+#define JITTER CONSTANT[3].y
+#define FIRST_TERM CONSTANT[3].z // 1: the term that adds the light itself
 // of a profile's kernel, which begins at HEAD + STRIDE * profile
-#define TOTAL(at) CONSTANT[at] // sums of the weights; radius
+#define TOTAL(at) CONSTANT[at].rgb // sums of the weights
 #define RADIUS_MM(at) CONSTANT[at].w
 #define SCALE(at) CONSTANT[at + 1].rgb // of the term
 #define DEPTH_SCALE(at) CONSTANT[at + 1].w // to units of depth in which weights vanish at a difference of 1
@@ -181,8 +155,19 @@ uniform vec4 ms_sss[COUNT];
 #define ELEVATION(at) CONSTANT[at + 3].rgb // K / 4
 #define MIXED(at) CONSTANT[at + 3].w // bits: channels with weights of both signs
 #define ROOT(at) CONSTANT[at + 4].rgb // of the reflectance
-#define REACH(at) CONSTANT[at + 4].w // square of the kernel's radius in units of depth
+#define LEAST_SINE(at) CONSTANT[at + 4].w // where 1 + K / 4 sin(theta) is 0, or -1
 #define TAP(at, i) CONSTANT[at + 5 + i] // weight; offset in mm. 0: the center; then one of each pair
+
+#if defined(MS_SSS_HLSL)
+cbuffer ms_sss_block : register(b0) { float4 ms_sss[COUNT]; };
+#elif defined(MS_SSS_VULKAN)
+layout(set = 0, binding = 0) uniform ms_sss_block { vec4 ms_sss[COUNT]; };
+#elif !defined(MS_SSS_WGSL)
+precision highp float; // for GLSL ES
+precision highp int;
+precision highp sampler2D;
+uniform vec4 ms_sss[COUNT];
+#endif
 
 #if !RAW
 TEXTURE(ms_sss_input, fetch_input, 4, t4)
@@ -194,30 +179,50 @@ TEXTURE(ms_sss_sum, fetch_sum, 6, t6)
 TEXTURE(ms_sss_half, fetch_half, 12, t12)
 #endif
 
+// Each step is a function filter_pixel. Those of a pyramid write a second target, ms_sss_other.
+#if defined(MS_SSS_HLSL)
+float4 filter_pixel(int2 pixel);
+#if PYRAMID
+static float4 ms_sss_other;
+void main(float4 position : SV_Position, out float4 first : SV_Target0, out float4 other : SV_Target1) {
+    first = filter_pixel(int2(position.xy));
+    other = ms_sss_other;
+}
+#else
+float4 main(float4 position : SV_Position) : SV_Target0 { return filter_pixel(int2(position.xy)); }
+#endif
+#elif !defined(MS_SSS_WGSL)
+float4 filter_pixel(int2 pixel);
+layout(location = 0) out vec4 ms_sss_out;
+#if PYRAMID
+layout(location = 1) out vec4 ms_sss_other;
+#endif
+void main() { ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy)); }
+#endif
+
 // ---- a pixel: its light, depth, profile, and the slopes of its surface ------------------------------------------------
 
 // Pixels of the picture along the side of one of this step's.
-float side() { return pick(pick(1.0, 2.0, HALVED), 0.5 * CONSTANT[2].z, PYRAMID); }
+float side() { return pick(pick(1.0, 2.0, HALVED), 0.5 * CONSTANT[3].x, PYRAMID); }
 
 // The corner of the viewport; targets of half the size have none.
-int2 origin() { return int2(int(ORIGIN.x), int(ORIGIN.y)) * pick(1, 0, HALVED); }
+int2 origin() { return int2(ORIGIN) * pick(1, 0, HALVED); }
 
 bool inside(int2 p) {
-    int step = int(side());
-    return p.x >= 0 && p.y >= 0 && step * p.x < int(PICTURE_SIZE.x) && step * p.y < int(PICTURE_SIZE.y);
+    float2 at = float2(p) * side();
+    return p.x >= 0 && p.y >= 0 && at.x < PICTURE_SIZE.x && at.y < PICTURE_SIZE.y;
 }
 
 // In perspective a pixel shows a width in proportion to its depth.
-float relative(float depth) { return pick(1.0, depth, MS_SSS_PERSPECTIVE > 0); }
+float relative(float depth) { return pick(1.0, depth, PERSPECTIVE > 0.5); }
+
+// Pixels a unit of depth along x and y; perspective: at depth 1. A slope is this times the change of depth a pixel.
+float2 focal() { return PIXELS_PER_MM * MM_PER_UNIT; }
 
 // (x, y) / z of a pixel's ray.
 float2 ray_of(int2 p) {
-    float2 middle = float2(float(p.x) + 0.5, float(p.y) + 0.5) * side();
-#if PYRAMID
-    return (middle - CENTER) * CONSTANT[1].w; // its tangent
-#else
-    return (middle - CENTER) * float(MS_SSS_PERSPECTIVE) / FOCAL.x;
-#endif
+    float2 middle = (float2(p) + 0.5) * side();
+    return (middle - CENTER) * PERSPECTIVE / focal().x;
 }
 
 // The area of a surface over that of a surface that faces the ray, at the same depth: |(slope, 1 + slope . ray)|.
@@ -226,94 +231,75 @@ float area_of(float2 slope, float2 ray) {
     return sqrt(dot(slope, slope) + towards * towards);
 }
 
-#if PASS || DOWN || UP || BASE || DISC
 // Below 1e30, by its bits: compilers may assume that no number is NaN.
 bool finite(float x) { return (bits_of(x) & 0x7fffffffu) < 0x7149f2cau; }
 
-#if PACKED
-// The last 4 bits of blue hold the profile. Those of 0 would be flushed, so 0 becomes 1e-30.
-float pack(float blue, int profile) {
-    return float_of(((bits_of(pick(blue, 1e-30, abs(blue) < 1e-30)) + 8u) & 0xfffffff0u) | uint(profile));
-}
-int profile_of(float4 c) { return int(bits_of(c.b) & 15u); }
+// 0 to 1; NaN as 0. At half resolution UP is where it counts.
+float strength_of(int2 p) {
+#if MS_SSS_STRENGTH && !HALVED
+    float strength = ms_sss_fetch_strength(p);
+    bool number = (bits_of(strength) & 0x7fffffffu) <= 0x7f800000u;
+    return pick(0.0, min(strength, 1.0), number);
 #else
-float pack(float blue, int profile) { return blue; }
-int profile_of(float4 c) { return 0; }
+    return 1.0;
 #endif
+}
+
+// Where kernels differ the last 4 bits of blue hold the profile. Those of 0 would be flushed, so 0 becomes 1e-30.
+float pack(float blue, int profile) {
+    uint bits = bits_of(pick(blue, 1e-30, abs(blue) < 1e-30)) + 8u;
+    return pick(blue, float_of((bits & 0xfffffff0u) | uint(profile)), PACKED);
+}
+int profile_of(float4 c) { return pick(0, int(bits_of(c.b) & 15u), PACKED); }
 
 // Light and depth of a pixel; alpha 0: masked.
-float4 source(int2 p) {
-#if RAW
+float4 texel(int2 p) {
+    if (!inside(p)) { return zero4; }
     int2 at = p + origin();
+#if RAW
     float3 c = ms_sss_fetch_color(at);
     float depth = ms_sss_fetch_depth(at);
-    int profile = 0;
-    bool valid = finite(c.r) && finite(c.g) && finite(c.b) && depth > 0.0 && finite(depth);
-#if MS_SSS_STRENGTH
-    float strength = ms_sss_fetch_strength(at);
-    valid = valid && strength > 0.0 && (bits_of(strength) & 0x7fffffffu) <= 0x7f800000u;
-#endif
-#if MS_SSS_PROFILES > 0
-    profile = ms_sss_fetch_profile(at);
-#if PYRAMID
-    valid = valid && profile == int(CONSTANT[0].w);
-#else
-    valid = valid && profile >= 0 && profile < MS_SSS_PROFILES;
-#endif
-#endif
-    if (!valid) { return zero4; }
+    int profile = fetch_profile(at);
+    bool known = pick(profile >= 0 && profile < KERNELS, profile == int(CONSTANT[3].y), PYRAMID);
+    bool lit = finite(c.r) && finite(c.g) && finite(c.b) && strength_of(at) > 0.0;
+    if (!(known && lit && depth > 0.0 && finite(depth))) { return zero4; }
     return float4(c.rg, pack(c.b, profile), depth);
 #else
-    float4 c = fetch_input(p + origin());
+    float4 c = fetch_input(at);
     return pick(zero4, c, c.a > 0.0);
 #endif
 }
 
-float4 texel(int2 p) {
-    if (!inside(p)) { return zero4; }
-    return source(p);
-}
-
 // Neither is masked, and both have one profile.
 bool same(float4 a, float4 b) { return a.a > 0.0 && profile_of(a) == profile_of(b); }
-#endif
 
 #if SLOPES && !NORMALS
 // The slope along a step of one pixel, from differences of depth to the pixels before and after. A difference above
 // most is an edge. Where the slopes on both sides agree, their mean. Else the smaller one: near a silhouette depth
 // falls as the root of the distance to it, a difference of one pixel underestimates the slope, and the ratio of the last
 // two differences tells by how much, if it is more than rounding.
-float slope_along(int2 p, int2 step, float4 own, float focal, float most) {
+float slope_along(int2 p, int2 step, float4 own, float scale, float most) {
     float4 before = texel(p - step);
     float4 after = texel(p + step);
     float a = own.a - before.a;
     float b = after.a - own.a;
-#if !PYRAMID
-    bool on_a = same(before, own) && abs(a) < most;
-    bool on_b = same(after, own) && abs(b) < most;
-#endif
-    a = focal * a / relative(before.a);
-    b = focal * b / relative(after.a);
-#if PYRAMID // there most is of slopes
-    bool on_a = same(before, own) && abs(a) < most;
-    bool on_b = same(after, own) && abs(b) < most;
-#endif
+    float2 width = float2(relative(before.a), relative(after.a));
+    float2 edge = most * pick(float2(1.0, 1.0), width / relative(own.a), PYRAMID); // a pyramid's is one of slopes
+    bool on_a = same(before, own) && abs(a) < edge.x;
+    bool on_b = same(after, own) && abs(b) < edge.y;
+    a = scale * a / width.x;
+    b = scale * b / width.y;
     a = pick(pick(0.0, b, on_b), a, on_a);
     b = pick(a, b, on_b);
     float slope = 0.5 * (a + b);
     if ((on_a || on_b) && !(on_a && on_b && abs(a - b) < 0.5 * (a * b + 1.0))) {
         bool back = on_a && (!on_b || abs(a) < abs(b));
-        if (abs(a) < abs(b)) { slope = a; }
-        if (abs(b) < abs(a)) { slope = b; }
+        slope = pick(pick(slope, b, abs(b) < abs(a)), a, abs(a) < abs(b));
         float next = pick(after.a, before.a, back);
         float4 beyond = texel(p + step * pick(2, -2, back));
         float outer_step = (own.a - next) * relative(beyond.a);
         float inner_step = (next - beyond.a) * relative(own.a);
-#if PYRAMID
-        float rounding = 2.0 * CONSTANT[5].z * own.a * relative(own.a);
-#else
         float rounding = 4.7683716e-7 * own.a * relative(own.a);
-#endif
         float more = min(abs(outer_step) - abs(inner_step), abs(inner_step)) - rounding;
         if (same(beyond, own) && outer_step * inner_step > 0.0 && more > 0.0) {
             more = min(more / abs(inner_step), 0.85);
@@ -324,24 +310,57 @@ float slope_along(int2 p, int2 step, float4 own, float focal, float most) {
 }
 #endif
 
-#if SLOPES
-// Change of depth along x and y over the width of surface that a pixel shows.
-float2 slopes_of(int2 p, float4 own, float2 focal, float most) {
+// Change of depth along x and y over the width of surface that a pixel shows. A step of depth of radius_mm is an edge.
+float2 slopes_of(int2 p, float4 own, float radius_mm) {
 #if NORMALS
     float3 normal = ms_sss_fetch_normal(p + origin());
     float least = max(abs(normal.x), abs(normal.y)) * 0.125;
     float facing = max(normal.z - dot(ray_of(p), normal.xy), least);
     bool valid = finite(normal.x) && finite(normal.y) && finite(normal.z);
-    return pick(zero2, normal.xy / facing, facing > 0.0 && valid);
+    return SLOPE_SCALE * pick(zero2, normal.xy / facing, facing > 0.0 && valid);
+#elif SLOPES
+    float most = radius_mm / MM_PER_UNIT;
+    float2 scale = focal() / side();
+    float along_x = slope_along(p, int2(1, 0), own, scale.x, most);
+    float along_y = slope_along(p, int2(0, 1), own, scale.y, most);
+    return SLOPE_SCALE * float2(along_x, along_y);
 #else
-    return float2(slope_along(p, int2(1, 0), own, focal.x, most), slope_along(p, int2(0, 1), own, focal.y, most));
+    return zero2;
 #endif
 }
-#endif
 
-#if PASS || DOWN || UP || DISC
-float pixels_at(float depth) { return PIXELS_PER_MM / relative(depth); }
-int profile_at(float4 own) { return HEAD + STRIDE * profile_of(own); }
+// ---- kernels ---------------------------------------------------------------------------------------------------------
+
+int kernel_of(float4 own) { return HEAD + STRIDE * profile_of(own); }
+
+// Pixels a mm along x and y; a kernel wider than the picture is reduced to it.
+float2 pixels_at(float depth, int at) {
+    float2 pixels = PIXELS_PER_MM / relative(depth);
+    float widest = max(PICTURE_SIZE.x, PICTURE_SIZE.y);
+    return pixels * min(widest / (RADIUS_MM(at) * pixels.x), 1.0);
+}
+
+float radius_of(float2 pixels, int at) { return RADIUS_MM(at) * max(pixels.x, pixels.y); }
+
+// How much more light enters below the tangent plane, at this sine of the elevation; not below 0.
+float3 lift_of(float sine, float least, float3 elevation) {
+    float3 lift = 1.0 + elevation * clamp(sine, least, 1.0);
+    return lift * lift * lift * lift;
+}
+
+// A mean; where there is no weight, the pixel's own light.
+float3 mean_of(float3 sum, float3 weight, float3 own) {
+    return (sum + 1e-30 * own) / (weight + 1e-30);
+}
+
+// One of 64 angles a pixel, of a linear congruence in which neighbors differ widely; range: of all of them.
+float angle_of(int2 p, float range) {
+    float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;
+    return ROTATION + JITTER * turn * (range / 64.0);
+}
+
+// Rounding of a difference of depths to a tangent plane, so many pixels away.
+float rounding_of(float depth, float2 away) { return 2.3841858e-7 * depth * (2.0 + abs(away.x) + abs(away.y)); }
 
 #if DOWN || UP
 // ---- half resolution -------------------------------------------------------------------------------------------------
@@ -364,7 +383,7 @@ float4 filter_pixel(int2 p) {
     float4 c = texel(2 * p + int2(0, 1));
     float4 d = texel(2 * p + int2(1, 1));
     float4 own = nearer(nearer(a, b), nearer(c, d));
-    int at = profile_at(own);
+    int at = kernel_of(own);
     float4 f = float4(nearness(a, own, at), nearness(b, own, at), nearness(c, own, at), nearness(d, own, at));
     if (!(own.a > 0.0)) { return own; }
     float4 mean = (f.x * a + f.y * b + f.z * c + f.w * d) / (f.x + f.y + f.z + f.w);
@@ -376,7 +395,7 @@ float4 filter_pixel(int2 p) {
 // The weight of a pixel's own light in its result: DELTA, and of each term the product of what the taps along x and
 // along y take from the pixel itself by linear interpolation.
 float3 self_weight(float depth, int at) {
-    float pixels = min(pixels_at(depth), max(PICTURE_SIZE.x, PICTURE_SIZE.y) / RADIUS_MM(at));
+    float2 pixels = pixels_at(depth, at);
     float3 share = DELTA(at);
     for (int t = 0; t < MS_SSS_TERMS; t++) {
         int block = at + t * KERNELS * STRIDE;
@@ -384,9 +403,9 @@ float3 self_weight(float depth, int at) {
         float3 down = zero3;
         for (int k = 0; k < MS_SSS_TAPS; k++) {
             float4 tap = TAP(block, (k + 1) / 2);
-            float away = pixels * abs(tap.w);
-            across = across + tap.rgb * max(1.0 - away * ASPECT.x, 0.0);
-            down = down + tap.rgb * max(1.0 - away * ASPECT.y, 0.0);
+            float2 left = max(1.0 - pixels * abs(tap.w), zero2);
+            across = across + tap.rgb * left.x;
+            down = down + tap.rgb * left.y;
         }
         share = share + SCALE(block) * across * down;
     }
@@ -394,33 +413,31 @@ float3 self_weight(float depth, int at) {
 }
 
 // out = s own + (1 - s) rest, s the self weight at full resolution. The rest is that of the four larger pixels around,
-// each solved from after = s' before + (1 - s') rest with its own s', interpolated (3/4, 1/4) where depths are near.
+// each solved from after = s' before + (1 - s') rest with its own s', interpolated (0.8, 0.2) where depths are near.
 float4 filter_pixel(int2 pixel) {
     int2 p = pixel - origin();
-    float4 own = source(p);
+    float4 own = texel(p);
     float3 light = ms_sss_fetch_color(pixel);
     if (!(own.a > 0.0)) { return float4(light, 1.0); }
-    int at = profile_at(own);
+    int at = kernel_of(own);
     float3 share = self_weight(own.a, at);
     float3 rest = zero3;
     float weight = 0.0;
     for (int i = 0; i < 4; i++) {
-        int2 q = int2((p.x + 1) / 2 - 1 + i % 2, (p.y + 1) / 2 - 1 + i / 2);
+        int2 q = (p + 1) / 2 - 1 + int2(i % 2, i / 2);
         if (!inside(q * 2)) { continue; }
         float4 there = fetch_half(q);
         float f = nearness(there, own, at) * pick(0.25, 0.75, q.x == p.x / 2) * pick(0.25, 0.75, q.y == p.y / 2);
         if (!(f > 0.0)) { continue; }
         float3 after = fetch_sum(q).rgb;
         float3 least = min(min(there.rgb, after), zero3);
-        rest = rest + f * max(there.rgb + (after - there.rgb) / (one3 - self_weight(there.a, at)), least);
+        rest = rest + f * max(there.rgb + (after - there.rgb) / (1.0 - self_weight(there.a, at)), least);
         weight = weight + f;
     }
-    float strength = GAIN;
-#if MS_SSS_STRENGTH
-    strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);
-#endif
-    bool wide = pixels_at(own.a) * RADIUS_MM(at) * max(ASPECT.x, ASPECT.y) > 0.5;
-    if (wide && weight > 1e-6) { light = light + strength * (one3 - share) * (rest / weight - light); }
+    bool wide = radius_of(pixels_at(own.a, at), at) > 0.5;
+    if (wide && weight > 1e-6) {
+        light = light + GAIN * strength_of(pixel) * (1.0 - share) * (rest / weight - light);
+    }
     return float4(light, 1.0);
 }
 #endif
@@ -440,13 +457,6 @@ float3 unfiltered(int2 p) {
 }
 #endif
 
-// A weighted sum becomes a mean, of the same total weight. Where weights have both signs, what is missing is replaced by
-// the pixel's own light, for a sum of weights near 0 is no divisor.
-float normalize_sum(float sum, float weight, float lifted, float own, float total, bool mixed) {
-    if (mixed) { return sum + own * (total - weight); }
-    return pick(own, sum / lifted, lifted > 1e-30) * total;
-}
-
 // One pass: taps on the tangent plane along one axis of the picture. A tap at the distance s on the surface reads two
 // texels, which count
 //     f = share of linear interpolation * (1 - dz^2) / (1 + (1 - flat) h^2 / s^2)
@@ -455,77 +465,71 @@ float normalize_sum(float sum, float weight, float lifted, float own, float tota
 // surface bends away from the plane there is more of it, by a factor 1 + (1 - flat) (dh/ds)^2 / 2. Near taps would see a
 // mesh's triangles: they follow the sine of the next ones outwards, in proportion to s. The sum is divided by
 // the larger of its weights and its factors' weights times the root of the reflectance: no mean exceeds 1 / reflectance
-// after two passes.
+// after two passes. Where weights have both signs, what is missing is replaced by the pixel's own light instead, for a
+// sum of weights near 0 is no divisor.
 float4 filter_pixel(int2 pixel) {
     int2 p = pixel - origin();
     float4 own = texel(p);
+    if (!(own.a > 0.0)) {
 #if SECOND
-    if (!(own.a > 0.0)) { return float4(unfiltered(p), 1.0); }
+        return float4(unfiltered(p), 1.0);
 #else
-    if (!(own.a > 0.0)) { return own; }
+        return own;
 #endif
-    int at = profile_at(own);
-    float4 total = TOTAL(at);
-    float2 aspect = ASPECT;
+    }
+    int at = kernel_of(own);
 
-    // The effect fades from kernels of a pixel to those of half a pixel; one wider than the picture is reduced to it.
-    float pixels = pixels_at(own.a) / side();
-    float radius = pixels * total.w * max(aspect.x, aspect.y);
+    // The effect fades from kernels of a pixel to those of half a pixel.
+    float2 pixels = pixels_at(own.a, at) / side();
+    float radius = radius_of(pixels, at);
     bool wide = radius > 0.5;
-    pixels = min(pixels, max(PICTURE_SIZE.x, PICTURE_SIZE.y) / (total.w * side()));
     float2 axis = pick(float2(1.0, 0.0), float2(0.0, 1.0), SECOND);
 #if MS_SSS_ROTATED
-    // One of 64 angles a pixel, of a linear congruence in which neighbors differ widely.
-    float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;
-    float angle = ROTATION + JITTER * turn * (1.57079632679 / 64.0);
+    float angle = angle_of(p, 1.57079632679);
     axis = axis.x * float2(cos(angle), sin(angle)) + axis.y * float2(-sin(angle), cos(angle));
 #endif
+    float2 plane = zero2; // the tangent plane's depth a column and a row; perspective: times that of the texel there
 #if SLOPES
-    // A mm along the tangent plane has the picture of 1 / |(axis + slope ray, slope)| mm that face the camera.
+    // A mm along the plane has the picture of 1 / |(axis + slope ray, slope)| mm that face the camera.
     float2 ray = ray_of(p);
-    float2 focal = FOCAL / side();
-    float2 slopes = SLOPE_SCALE * slopes_of(p, own, focal, sqrt(REACH(at)) / DEPTH_SCALE(at));
+    float2 slopes = slopes_of(p, own, RADIUS_MM(at));
     float slope = dot(axis, slopes);
     float2 across = axis + slope * ray;
     pixels = pixels / sqrt(dot(across, across) + slope * slope);
-    // The plane's depth a column and a row; in perspective relative to the depth of the texel that is compared with it.
-    float2 plane = slopes / focal;
-    float mm = FOCAL.x / (PIXELS_PER_MM * DEPTH_SCALE(at)); // of a unit of dz
+    plane = slopes * side() / focal();
+    float mm = MM_PER_UNIT / DEPTH_SCALE(at); // of a unit of dz
     float facing = mm / area_of(slopes, ray);
     float3 elevation = ELEVATION(at);
-    float least_sine = -1.0 / max(1.0, max(elevation.r, max(elevation.g, elevation.b)));
+    float least_sine = LEAST_SINE(at);
 #endif
-    axis = axis * aspect * pixels;
+    float radius_mm = RADIUS_MM(at);
+    axis = axis * pixels;
 
     float3 result = own.rgb * TAP(at, 0).rgb;
     float3 weight = TAP(at, 0).rgb;
     float3 lifted = weight; // the weight with the factors of elevation
-    for (int side = pick(2, 0, wide); side < 2; side++) {
+    for (int way = pick(2, 0, wide); way < 2; way++) {
         // Each tap is added once the next one inwards is known.
         float4 outer = zero4; // its light and weight
         float outer_sine = 0.0; // times the weight
         float outer_lower = 0.0; // mm below the plane
         for (int k = MS_SSS_TAPS / 2; k >= 0; k--) {
             float offset = abs(TAP(at, k).w);
-            float2 along = axis * pick(offset, -offset, side == 1);
+            float2 along = axis * pick(offset, -offset, way == 1);
             float2 whole = floor(along);
-            float2 part = along - whole;
             float4 sum = zero4;
-#if SLOPES
             float below = 0.0;
+#if SLOPES
             float elongation = min(SLOPE_SCALE * mm * mm / max(offset * offset, 1e-30), 1e6);
 #endif
             for (int i = pick(2 + 2 * MS_SSS_ROTATED, 0, k > 0); i < 2 + 2 * MS_SSS_ROTATED; i++) {
                 int2 corner = pick(pick(int2(i, 0), int2(0, i), SECOND), int2(i % 2, i / 2), MS_SSS_ROTATED > 0);
-                float2 away = abs(float2(1.0 - float(corner.x), 1.0 - float(corner.y)) - part);
+                float2 away = abs(1.0 - float2(corner) - (along - whole));
                 float share = away.x * away.y;
                 if (!(share > 0.0)) { continue; }
-                int2 beside = int2(int(whole.x), int(whole.y)) + corner;
+                int2 beside = int2(whole) + corner;
                 float4 there = texel(p + beside);
-                float dz = there.a - own.a;
-#if SLOPES
-                dz = dz - dot(plane, float2(float(beside.x), float(beside.y))) * relative(there.a);
-#endif
+                float dz = there.a - own.a - dot(plane, float2(beside)) * relative(there.a);
                 dz = dz * DEPTH_SCALE(at);
                 if (!(same(there, own) && dz * dz < 1.0)) { continue; }
                 float f = share * (1.0 - dz * dz);
@@ -538,16 +542,17 @@ float4 filter_pixel(int2 pixel) {
                 sum = sum + float4(there.rgb * f, f);
             }
             float4 tap = TAP(at, min(k + 1, MS_SSS_TAPS / 2)); // the one before
+            float3 lift = one3;
 #if SLOPES
-            // The sine of the elevation, without what may be rounding of depths; near by that of the tap before, as far
-            // as it was found.
-            float rounding = own.a * DEPTH_SCALE(at) * 2.3841858e-7 * (2.0 + abs(along.x) + abs(along.y));
+            // The sine of the elevation, without what may be rounding of depths; near by, within some
+            // 0.17 radii, that of the tap before, as far as it was found.
+            float rounding = rounding_of(own.a, along) * DEPTH_SCALE(at);
             below = facing * (below - clamp(below, -rounding, rounding));
             float sine = below / max(offset, 1e-20);
             float gap = abs(tap.w) - offset;
             if (gap > 0.0) {
-                float follow = offset * offset / (0.0289 * total.w * total.w); // 0.17 radii
-                follow = outer.a * outer.a * outer.a * outer.a / (1.0 + follow * follow);
+                float s_2 = offset * offset / (0.0289 * radius_mm * radius_mm);
+                float follow = outer.a * outer.a * outer.a * outer.a / (1.0 + s_2 * s_2);
                 sine = sine + follow * (outer_sine * sum.a * offset / abs(tap.w) - sine);
             }
             // The area of the tap before: by the slope from this one to it.
@@ -555,37 +560,29 @@ float4 filter_pixel(int2 pixel) {
             float bend = 0.0;
             if (gap > 1e-20 && MIXED(at) < 0.5) { bend = (outer_lower - lower) / gap; }
             outer = outer * min(0.5 * SLOPE_SCALE * bend * bend + 1.0, 3.0);
-#endif
-            weight = weight + tap.rgb * outer.a;
-#if SLOPES
-            float3 lift = one3 + elevation * clamp(outer_sine, least_sine, 1.0);
-            tap = float4(tap.rgb * lift * lift * lift * lift, tap.w);
+            lift = lift_of(outer_sine, least_sine, elevation);
             outer_sine = sine;
             outer_lower = lower;
 #endif
-            lifted = lifted + tap.rgb * outer.a;
-            result = result + tap.rgb * outer.rgb;
+            weight = weight + tap.rgb * outer.a;
+            lifted = lifted + lift * tap.rgb * outer.a;
+            result = result + lift * tap.rgb * outer.rgb;
             outer = sum;
         }
     }
 
     int mixed = int(MIXED(at));
-#if SLOPES
-    lifted = max(weight, lifted * ROOT(at));
-#endif
-    result = float3(normalize_sum(result.r, weight.r, lifted.r, own.r, total.r, (mixed & 1) != 0),
-        normalize_sum(result.g, weight.g, lifted.g, own.g, total.g, (mixed & 2) != 0),
-        normalize_sum(result.b, weight.b, lifted.b, own.b, total.b, (mixed & 4) != 0));
+    float3 mean = TOTAL(at) * mean_of(result, max(weight, lifted * ROOT(at)), own.rgb);
+    float3 filled = result + own.rgb * (TOTAL(at) - weight);
+    result.r = pick(mean.r, filled.r, (mixed & 1) != 0);
+    result.g = pick(mean.g, filled.g, (mixed & 2) != 0);
+    result.b = pick(mean.b, filled.b, (mixed & 4) != 0);
 #if SECOND
-    float strength = pick(0.0, pick(GAIN * min(2.0 * radius - 1.0, 1.0), 1.0, HALVED), wide);
-#if MS_SSS_STRENGTH && !HALVED
-    strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);
-#endif
-    float3 delta = DELTA(at);
+    float full = pick(GAIN * strength_of(pixel) * min(2.0 * radius - 1.0, 1.0), 1.0, HALVED);
+    float strength = pick(0.0, full, wide);
+    float3 kept = strength * DELTA(at) + (1.0 - strength);
     result = strength * SCALE(at) * result;
-    if (strength < 1.0 || dot(abs(delta), one3) > 0.0) {
-        result = result + (strength * delta + (1.0 - strength) * one3) * unfiltered(p);
-    }
+    if (dot(abs(kept), one3) > 0.0) { result = result + kept * unfiltered(p); }
     return float4(result, 1.0);
 #else
     return float4(result.rg, pack(result.b, profile_of(own)), own.a);
@@ -593,20 +590,7 @@ float4 filter_pixel(int2 pixel) {
 }
 #endif
 
-#if defined(MS_SSS_HLSL)
-#define MS_SSS_MAIN float4 main(float4 position : SV_Position) : SV_Target0 { return filter_pixel(int2(position.xy)); }
-#elif defined(MS_SSS_WGSL)
-#define MS_SSS_MAIN
 #else
-#define MS_SSS_MAIN layout(location = 0) out vec4 ms_sss_out; void main() { ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy)); }
-#endif
-#if !DISC
-MS_SSS_MAIN
-#endif
-#endif
-#endif
-
-#if MS_SSS_STEP == 8
 // ---- light through thin parts ----------------------------------------------------------------------------------------
 
 // What part of diffuse light that enters a slab on one side leaves it on the other, parallel: the cosine between

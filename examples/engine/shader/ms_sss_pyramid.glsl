@@ -13,24 +13,20 @@
 // area of surface relative to a pixel's with the change of d a pixel along x and y. d is linear on planes: -1 / depth in
 // perspective, else depth.
 
-#define STEP_OF_D CONSTANT[1].z // a pixel of the picture on a surface of slope 1; perspective: times d
-#define TAP_RADIUS_2 CONSTANT[2].w // square of the radius of a gather in pixels of the coarser level
-#define PROFILE CONSTANT[0].w
-#define PYRAMID_GAIN CONSTANT[0].z // 1 - fade
-#define RADIUS_PX CONSTANT[1].x // of the kernel; perspective: at depth 1
-#define RADIUS_MAX CONSTANT[1].y
-#define PLANE_REACH CONSTANT[2].x // distance from a tangent plane at which weights reach 0, in radii
-#define PYRAMID_SLOPES CONSTANT[2].y // 1 - flat
-#define COARSE_SIDE CONSTANT[2].z // pixels of the picture in one of the coarser level
-#define K_4 CONSTANT[3] // K / 4 of the elevation
-#define TAP_NORM CONSTANT[3].w // of the gather's taps of weight w at distance r: 1 / sum w
-#define RAISE_MAX CONSTANT[4] // 1 / reflectance
-#define TAP_MEAN CONSTANT[4].w // E r / E r^2
-#define TAP_SPREAD CONSTANT[5].x // E r^2 / E r^4
-#define TAP_ROUNDING CONSTANT[5].y // what rounding adds to a sine; orthographic: times d
+#define COARSE_SIDE CONSTANT[3].x // pixels of the picture in one of the coarser level
+#define PROFILE CONSTANT[3].y
+#define KERNEL_MM CONSTANT[3].z // radius
+#define PLANE_REACH CONSTANT[3].w // distance from a tangent plane at which weights reach 0, in radii
+#define K_4 CONSTANT[4].rgb // K / 4 of the elevation
+#define COARSER CONSTANT[4].w // 0: this is the last level; 1: there is a coarser one; 2: which has sums
+#define RAISE_MAX CONSTANT[5].rgb // 1 / reflectance
+#define TAP_RADIUS_2 CONSTANT[5].w // square of the radius of a gather in pixels of the coarser level
+#define TAP_NORM CONSTANT[6].x // of the gather's taps of weight w at distance r: 1 / sum w
+#define TAP_MEAN CONSTANT[6].y // E r / E r^2
+#define TAP_SPREAD CONSTANT[6].z // E r^2 / E r^4
+#define TAP_ROUNDING CONSTANT[6].w
 #define TAP_BEND 0.743933 // E r^2 / 2 E x^2 of the picture's gather, x from pixel to pixel
 #define FACET 0.02 // what triangles of a mesh bulge, in pixels
-#define COARSER CONSTANT[5].w // 0: this is the last level; 1: there is a coarser one; 2: which has sums
 
 #if !BASE
 TEXTURE(ms_sss_surface, fetch_surface, 8, t8)
@@ -41,18 +37,13 @@ TEXTURE(ms_sss_coarse_surface, fetch_coarse_surface, 10, t10)
 TEXTURE(ms_sss_weight, fetch_weight, 11, t11)
 #endif
 
-// What a step writes to its second target, or, of gather, the sums of weights.
-#if defined(MS_SSS_HLSL)
-static float4 ms_sss_other;
-#elif !defined(MS_SSS_WGSL)
-vec4 ms_sss_other;
-#endif
-
 // Pixels of the picture that lie as far apart as a step of d is deep.
-float deep_of(float d) { return 1.0 / (STEP_OF_D * relative(-d)); }
+float deep_of(float d) { return focal().x / relative(-d); }
 
 // The kernel's radius in pixels of the picture.
-float radius_of(float d) { return min(RADIUS_PX * relative(-d), RADIUS_MAX); }
+float kernel_pixels(float d) {
+    return min(PIXELS_PER_MM.x * KERNEL_MM * relative(-d), max(PICTURE_SIZE.x, PICTURE_SIZE.y));
+}
 
 float falloff(float x) {
     float f = max(1.0 - x * x, 0.0);
@@ -61,16 +52,12 @@ float falloff(float x) {
 
 #if BASE
 float4 filter_pixel(int2 p) {
-    float4 own = source(p);
-    float d = pick(own.a, -1.0 / own.a, MS_SSS_PERSPECTIVE > 0);
-    float2 slope = zero2;
+    float4 own = texel(p);
     ms_sss_other = zero4;
     if (!(own.a > 0.0)) { return zero4; }
-#if SLOPES
-    slope = PYRAMID_SLOPES * slopes_of(p, own, float2(1.0, 1.0) / STEP_OF_D, radius_of(d));
-#endif
-    float step = STEP_OF_D * relative(-d);
-    ms_sss_other = float4(min(area_of(slope, ray_of(p)), 10.0), slope.x * step, slope.y * step, 0.0);
+    float d = pick(own.a, -1.0 / own.a, PERSPECTIVE > 0.5);
+    float2 slope = slopes_of(p, own, KERNEL_MM);
+    ms_sss_other = float4(min(area_of(slope, ray_of(p)), 10.0), slope / deep_of(d), 0.0);
     return float4(own.rgb, d);
 }
 #endif
@@ -88,7 +75,7 @@ float4 filter_pixel(int2 p) {
     if (!(most > 0.0)) { return zero4; }
     float nearest = 3e38;
     float2 change = zero2; // of d a pixel
-    float2 at = zero2;
+    float middle = 0.0; // d of the plane between the four
     for (int i = 0; i < 4; i++) {
         int2 q = p * 2 + int2(i % 2, i / 2);
         if (!inside(q)) { continue; }
@@ -97,11 +84,10 @@ float4 filter_pixel(int2 p) {
         if (surface.r > 0.25 * most && d < nearest) {
             nearest = d;
             change = surface.gb;
-            at = float2(float(i % 2) - 0.5, float(i / 2) - 0.5);
+            middle = d - dot(float2(q - p * 2) - 0.5, change);
         }
     }
-    float scale = deep_of(nearest) / radius_of(nearest);
-    float middle = nearest - dot(at, change);
+    float scale = deep_of(nearest) / kernel_pixels(nearest);
     float least = nearest;
     float greatest = nearest;
     float4 light = zero4;
@@ -112,7 +98,7 @@ float4 filter_pixel(int2 p) {
         if (!inside(q)) { continue; }
         float4 there = fetch_input(q);
         float4 surface = fetch_surface(q);
-        float2 away = float2(float(i % 4) - 1.5, float(i / 4) - 1.5);
+        float2 away = float2(q - p * 2) - 0.5;
         float rise = dot(away, change);
         float f = falloff((there.a - rise - middle) * scale / PLANE_REACH) * surface.r;
         f = f * pick(0.125, 0.375, abs(away.x) < 1.0) * pick(0.125, 0.375, abs(away.y) < 1.0);
@@ -121,13 +107,12 @@ float4 filter_pixel(int2 p) {
         greatest = max(greatest, there.a);
         light = light + f * float4(there.rgb, there.a - rise);
         float part = f / max(surface.r, 1.0);
-        surfaces = surfaces + float3(f, part * surface.g, part * surface.b);
+        surfaces = surfaces + float3(f, part * surface.gb);
         seen = seen + part;
     }
     if (!(surfaces.r > 1e-20)) { return zero4; }
     light = light / surfaces.r;
-    change = 2.0 * surfaces.gb / seen;
-    ms_sss_other = float4(surfaces.r, change.x, change.y, 0.0);
+    ms_sss_other = float4(surfaces.r, 2.0 * surfaces.gb / seen, 0.0);
     return float4(light.rgb, clamp(light.a, least, greatest));
 }
 #endif
@@ -139,23 +124,26 @@ float3 weight_at(float size, int table) {
     float low = float_of(uint(0x3f800000 + (i << 21u)));
     float high = float_of(uint(0x3f800000 + ((i + 1) << 21u)));
     float t = clamp((size - low) / (high - low), 0.0, 1.0);
-    return CONSTANT[table + i].rgb + t * (CONSTANT[table + i + 1].rgb - CONSTANT[table + i].rgb);
+    i = i + HEAD + 3 + table * SIZES;
+    return CONSTANT[i].rgb + t * (CONSTANT[i + 1].rgb - CONSTANT[i].rgb);
 }
 
 // light times the mean of (1 + K / 4 sin theta)^4, of a sine of mean m = moment / light and mean square s:
 // u^2 (u^2 + 6 (K / 4)^2 (s - m^2)) with u = 1 + K / 4 m, the terms up to the variance. of m, grain may be rounding.
-float raise(float light, float moment, float square, float grain, float quarter, float most) {
-    float mean = 0.0;
-    if (abs(light) > 0.0) { mean = moment / light; }
-    mean = clamp(mean - clamp(mean, -grain, grain), -1.0, 1.0);
-    float u = max(quarter * mean + 1.0, 0.0);
-    float spread = max(square - (grain * grain + mean * mean), 0.0);
-    return light * min(u * u * (6.0 * spread * quarter * quarter + u * u), most);
+float3 raise(float3 light, float3 moment, float square, float grain) {
+    float3 mean = moment * light / max(light * light, 1e-30 * one3);
+    mean = clamp(mean - clamp(mean, -grain * one3, grain * one3), -one3, one3);
+    float3 u = max(1.0 + K_4 * mean, zero3);
+    float3 spread = max(square - (grain * grain + mean * mean), zero3);
+    return light * min(u * u * (6.0 * spread * K_4 * K_4 + u * u), RAISE_MAX);
 }
+
+// What rounding of d may add to a sine of the gather.
+float grain_of(float d) { return TAP_ROUNDING * pick(abs(d), 1.0, PERSPECTIVE > 0.5); }
 
 // Distance from the tangent plane that says nothing of the shape next to a pixel: triangles of a mesh, flattened slopes.
 float facet_of(float area, float2 slope) {
-    return FACET * area + (abs(slope.x) + abs(slope.y)) * (2.0 / max(PYRAMID_SLOPES, 1e-3) - 2.0);
+    return FACET * area + (abs(slope.x) + abs(slope.y)) * (2.0 / max(SLOPE_SCALE, 1e-3) - 2.0);
 }
 
 // The light of the next coarser level from up to 6 x 6 of its pixels around, by weights (1 - r^2 / R^2)^2 of the distance
@@ -163,14 +151,12 @@ float facet_of(float area, float2 slope) {
 // Near a pixel of the picture the depth below its plane shows a mesh's triangles; there it is taken from half the change
 // of slope along the way, unless a pixel lies deeper by more than a triangle bulges.
 float3 gather(int2 p, float d, float2 change) {
-    float cells = COARSE_SIDE;
-    float deep = deep_of(d) / cells;
-    float radius = radius_of(d);
+    float deep = deep_of(d) / COARSE_SIDE;
+    float radius = kernel_pixels(d);
     float2 slope = change * (2.0 * deep);
     float area = area_of(slope, ray_of(p));
     float cap = min(area, 1.5);
-    float limit = radius / cells;
-    float near_plane = 1.0 / (limit * PLANE_REACH);
+    float limit = radius / COARSE_SIDE;
     float reach = cap * cap * TAP_RADIUS_2;
     float facet = facet_of(area, slope);
     float weight = 0.0;
@@ -180,8 +166,9 @@ float3 gather(int2 p, float d, float2 change) {
     float3 sums = zero3;
     float3 weights = zero3;
     for (int i = 0; i < 36; i++) {
-        int2 q = int2(p.x / 2 + i % 6 - 3 + p.x % 2, p.y / 2 + i / 6 - 3 + p.y % 2);
-        float2 away = float2(float(i % 6) - 2.75 + 0.5 * float(p.x % 2), float(i / 6) - 2.75 + 0.5 * float(p.y % 2));
+        int2 beside = int2(i % 6, i / 6) - 3 + p % 2;
+        int2 q = p / 2 + beside;
+        float2 away = float2(beside) + 0.25 - 0.5 * float2(p % 2);
         if (dot(away, away) > reach || !inside(q * 2)) { continue; }
         float4 there = fetch_coarse(q);
         float dz = (there.a - d) * deep;
@@ -191,32 +178,27 @@ float3 gather(int2 p, float d, float2 change) {
         float t = max(1.0 - (dz * dz + dot(away, away)) / reach, 0.0);
         float w = t * t * surface.r;
         float bend = below;
-        if (cells < 3.0) { bend = max(below - facet, min(TAP_BEND * dot(away, surface.gb * deep - slope), 0.5 * area)); }
+        if (COARSE_SIDE < 3.0) { bend = max(below - facet, min(TAP_BEND * dot(away, surface.gb * deep - slope), 0.5 * area)); }
         weight = weight + w;
         light = light + w * there.rgb;
         moment = moment + w * bend * there.rgb;
         square = square + w * bend * bend;
         if (abs(away.x) < 1.0 && abs(away.y) < 1.0 && COARSER > 1.5) {
-            t = falloff(below * near_plane) * pick(0.25, 0.75, abs(away.x) < 0.5) * pick(0.25, 0.75, abs(away.y) < 0.5);
+            t = falloff(below / (limit * PLANE_REACH)) * pick(0.25, 0.75, abs(away.x) < 0.5) * pick(0.25, 0.75, abs(away.y) < 0.5);
             sums = sums + t * fetch_sum(q).rgb;
             weights = weights + t * fetch_weight(q).rgb;
         }
     }
-#if !MS_SSS_FLAT
     float facing = 1.0 / (cap * area);
     float turn = facing * TAP_MEAN;
-    float grain = turn * TAP_ROUNDING;
-    grain = grain * pick(d, 1.0, MS_SSS_PERSPECTIVE > 0);
-    if (!((abs(slope.x) + abs(slope.y)) * 0.5 * cells < radius)) { // too steep for a tangent plane on this level
+    float grain = turn * grain_of(d);
+    if (!((abs(slope.x) + abs(slope.y)) * 0.5 * COARSE_SIDE < radius)) { // too steep for a tangent plane on this level
         square = 0.0;
         moment = zero3;
     }
     square = square * facing * facing * TAP_SPREAD / max(weight, 1e-30);
-    light = float3(raise(light.r, moment.r * turn, square, grain, K_4.r, RAISE_MAX.r),
-        raise(light.g, moment.g * turn, square, grain, K_4.g, RAISE_MAX.g),
-        raise(light.b, moment.b * turn, square, grain, K_4.b, RAISE_MAX.b));
-#endif
-    float3 share = weight_at(radius / cap, HEAD) * (TAP_NORM / (cap * cap));
+    light = raise(light, moment * turn, square, grain);
+    float3 share = weight_at(radius / cap, 0) * (TAP_NORM / (cap * cap));
     ms_sss_other = float4(weights + share * weight, 0.0);
     return sums + share * light;
 }
@@ -239,10 +221,12 @@ float4 filter_pixel(int2 pixel) {
     if (!(abs(own.a) > 0.0)) { return float4(ms_sss_fetch_color(pixel), 1.0); }
     float4 surface = fetch_surface(p);
     float deep = deep_of(own.a);
-    float radius = radius_of(own.a);
+    float radius = kernel_pixels(own.a);
     float size = radius / clamp(surface.r, 1.0, 1.5);
-    float3 weight = weight_at(size, HEAD + SIZES);
-    float3 blurred = weight_at(size, HEAD + 2 * SIZES);
+    float3 weight = weight_at(size, 1);
+    float3 blurred = weight_at(size, 2);
+    float area = max(surface.r, 1.0);
+    float facet = facet_of(area, surface.gb * deep) + 2.0 * grain_of(own.a);
     float3 near_light = zero3;
     float3 near_factor = zero3; // sum of the weights times elevation
     float near_weight = 0.0;
@@ -250,60 +234,27 @@ float4 filter_pixel(int2 pixel) {
         int2 beside = int2(i % 3 - 1, i / 3 - 1);
         if (!inside(p + beside)) { continue; }
         float4 there = fetch_input(p + beside);
-        float rise = dot(float2(float(beside.x), float(beside.y)), surface.gb);
-        float away = (there.a - own.a - rise) * deep;
+        float away = (there.a - own.a - dot(float2(beside), surface.gb)) * deep;
         float f = max(1.0 - 0.25 * away * away, 0.0);
         f = f * f * pick(0.25, 0.5, beside.x == 0) * pick(0.25, 0.5, beside.y == 0);
         if (!(abs(there.a) > 0.0)) { continue; }
-        float3 lift = one3;
-#if !MS_SSS_FLAT
-        if (i != 4) { // elevation: sin(theta) over the distance of 1 or sqrt(2) pixels; none from a radius of 20 on
-            float grain = 2.0 * TAP_ROUNDING * pick(abs(own.a), 1.0, MS_SSS_PERSPECTIVE > 0);
-            float area = max(surface.r, 1.0);
-            float sine = max(away - facet_of(area, surface.gb * deep) - grain, 0.0) / area;
-            sine = sine * clamp(2.0 - 0.1 * radius, 0.0, 1.0);
-            sine = min(sine * pick(0.70710678, 1.0, beside.x == 0 || beside.y == 0), 1.0);
-            lift = one3 + K_4.rgb * sine;
-            lift = lift * lift * lift * lift;
-        }
-#endif
+        // Elevation: sin(theta) over the distance of 1 or sqrt(2) pixels; none from a radius of 20 on.
+        float sine = max(away - facet, 0.0) / area * clamp(2.0 - 0.1 * radius, 0.0, 1.0);
+        float3 lift = 1.0 + K_4 * min(sine * pick(0.70710678, 1.0, beside.x == 0 || beside.y == 0), 1.0);
+        lift = lift * lift * lift * lift;
         near_light = near_light + f * lift * there.rgb;
         near_factor = near_factor + f * lift;
         near_weight = near_weight + f;
     }
-#if !MS_SSS_FLAT
     // Constant light is not amplified above 1 / reflectance.
-    near_light = near_light * min(near_weight * RAISE_MAX.rgb / max(near_factor, 1e-30 * one3), one3);
-#endif
+    near_light = near_light * min(near_weight * RAISE_MAX / max(near_factor, 1e-30 * one3), one3);
     float3 sum = weight * own.rgb + blurred * near_light;
     weight = weight + blurred * near_weight;
     if (COARSER > 0.5) {
         sum = sum + gather(p, own.a, surface.gb);
         weight = weight + ms_sss_other.rgb;
     }
-    float strength = PYRAMID_GAIN * clamp(2.0 * radius - 1.0, 0.0, 1.0);
-#if MS_SSS_STRENGTH
-    strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);
-#endif
-    float3 light = float3(pick(own.r, sum.r / weight.r, weight.r > 1e-30),
-        pick(own.g, sum.g / weight.g, weight.g > 1e-30), pick(own.b, sum.b / weight.b, weight.b > 1e-30));
-    return float4(own.rgb + strength * (light - own.rgb), 1.0);
-}
-#endif
-
-#if defined(MS_SSS_HLSL)
-struct ms_sss_targets { float4 first : SV_Target0; float4 other : SV_Target1; };
-ms_sss_targets main(float4 position : SV_Position) {
-    ms_sss_targets to;
-    to.first = filter_pixel(int2(position.xy));
-    to.other = ms_sss_other;
-    return to;
-}
-#elif !defined(MS_SSS_WGSL)
-layout(location = 0) out vec4 ms_sss_out;
-layout(location = 1) out vec4 ms_sss_out_other;
-void main() {
-    ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy));
-    ms_sss_out_other = ms_sss_other;
+    float strength = GAIN * strength_of(pixel) * clamp(2.0 * radius - 1.0, 0.0, 1.0);
+    return float4(own.rgb + strength * (mean_of(sum, weight, own.rgb) - own.rgb), 1.0);
 }
 #endif
