@@ -5570,8 +5570,8 @@ static void ms_sss__fit_past_kinks(ms_sss__fit *fit, int sweeps, ms_sss__curve *
     ms_sss__fit_run(fit, best, 30);
 }
 
-/* Fits taps over few bins from several starts, which differ in how far out they reach, then the best over all bins. Pairs
-   beyond one a pixel would be idle, and fits get stuck along idle unknowns. */
+/* Fits taps over few bins from several starts, which differ in how far out they reach, then the best over all bins.
+   Pairs beyond one a pixel would be idle, and fits get stuck along idle unknowns. */
 static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve *dense, const ms_sss__curve *model,
                                   double dial, int pairs, int no_delta, ms_sss__curve *best)
 {

@@ -689,8 +689,8 @@ static void case_constant_models(void)
     TEST_NOTE("largest relative change %.1e", worst);
 }
 
-/* A profile in units of its own, whose total is above 1: a constant on a plane stays one, by slopes, too. The bound that
-   the reflectance sets halved it at a total of 4. */
+/* A profile in units of its own, whose total is above 1: a constant on a plane stays one, by slopes, too. The bound
+   that the reflectance sets halved it at a total of 4. */
 static void case_bright_profiles(void)
 {
     enum { SIDE = 40 };
