@@ -525,7 +525,7 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
    strength is 0 or NaN, or the profile has no kernel. No light passes between masked and other pixels, or between
    profiles. The effect fades from kernels with a radius of a pixel to those of half a pixel, from where on pixels keep
    their bits. Results are bit-equal for any thread count at one SIMD level, across levels within 4e-6 of the largest
-   pixel of input and output (1e-4: a pyramid with normals that belong to no surface), typically 1e-6.
+   pixel of input and output, typically 1e-6; more where the rounding of depths or normals of no surface decide.
    MS_INVALID_ARGUMENT: a pointer, size, stride, option or kernel out of range. MS_OUT_OF_MEMORY: only without a
    workspace. Nothing is written then. Thesis 5.5, 5.10. */
 MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
