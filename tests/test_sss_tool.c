@@ -112,7 +112,7 @@ static void test_methods(void)
                {"--method gather", "gathered in space", 0.05},
                {"--method taps", "two passes", 0.05},
                {"--method pyramid", "pyramid", 0.05},
-               {"--model slice", "13 taps", 0.12}, /* of 17: a pair for each of 6 pixels */
+               {"--model slice", "15 taps", 0.12}, /* of 17: a pair for each of 7 pixels */
                {"--model gaussians --taps 9", "9 taps", 0.12},
                {"--method auto --taps 7", "7 taps", 0.05}};
     image a, b;
