@@ -5575,7 +5575,7 @@ static void ms_sss__fit_past_kinks(ms_sss__fit *fit, int sweeps, ms_sss__curve *
 static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve *dense, const ms_sss__curve *model,
                                   double dial, int pairs, int no_delta, ms_sss__curve *best)
 {
-    static const double reach[] = {0.25, 0.4, 0.6, 0.85, 0}; /* 0: a tap a pixel */
+    static const double reach[] = {0, 0.25, 0.4, 0.6, 0.85}; /* 0: a tap a pixel */
     ms_sss__curve *v;
     ms_sss__fit *fit;
     double least = HUGE_VAL, objective;
@@ -5585,7 +5585,7 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
     fit = ms_sss__fit_create(d, model, dial, best, !no_delta, 1);
     if (fit == NULL) return MS_OUT_OF_MEMORY;
     v = &fit->hop;
-    for (n = 0; n < 6; ++n) {
+    for (n = 2 * pairs < d->cells; n < 6; ++n) {
         ms_sss__place(d, dense, n < 5 ? MS_SSS_QUADRATIC : MS_SSS_QUANTILE, n < 5 ? reach[n] * d->cells : 0, pairs, v);
         for (c = 0; c < 3 && !no_delta; ++c) v->delta[c] = 0.03;
         ms_sss__curve_normalize(v);
