@@ -83,8 +83,8 @@
    times the area, at most 3 times; not for terms with weights of both signs.
    Elevation: sin(theta) is the tap's depth under the pixel's tangent plane over its distance x; within about 0.17 radii
    R, where it shows a mesh's flat triangles, that of the next tap outwards in proportion to x: the share of its own is
-   x^4 / (x^4 + (0.17 R)^4). No pass multiplies the mean by more than reflectance^(-1/2), so reflectance times output
-   never exceeds the brightest input.
+   x^4 / (x^4 + (0.17 R)^4). No pass multiplies the mean by more than reflectance^(-1/2) (above 1: by more than 1), so
+   where the reflectance is at most 1, reflectance times output never exceeds the brightest input.
    Weights that fall outside the picture or on masked pixels are renormalized away: a constant stays constant within
    1e-6 on planes, and everywhere with flat 1. If a kernel's terms have weights of both signs, the missing weight goes
    to the pixel's own color instead. Half-precision depth is too coarse for slopes: set flat to 1.
@@ -373,7 +373,8 @@ typedef enum ms_sss_placement {
 
 /* Zero is the default of every field; ms_sss_kernel_defaults() returns that. */
 typedef struct ms_sss_kernel_options {
-    int tap_count;  /* of a pass: odd, 3 to 33 for MS_SSS_OPTIMIZED, else to MS_SSS_TAPS_MAX; 0: 7; or MS_SSS_DENSE */
+    int tap_count; /* of a pass: odd, 3 to 33 for MS_SSS_OPTIMIZED, which makes at most a pair a pixel of the designer's
+                      radius, else to MS_SSS_TAPS_MAX; 0: 7; or MS_SSS_DENSE */
     int term_count; /* 1 to MS_SSS_TERMS_MAX; 0: 1 (residual: 2) */
     ms_sss_model model;
     ms_sss_placement placement;
@@ -524,7 +525,7 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
    strength is 0 or NaN, or the profile has no kernel. No light passes between masked and other pixels, or between
    profiles. The effect fades from kernels with a radius of a pixel to those of half a pixel, from where on pixels keep
    their bits. Results are bit-equal for any thread count at one SIMD level, across levels within 4e-6 of the largest
-   pixel of input and output (1e-4: a pyramid with normals that belong to no surface), typically 1e-6.
+   pixel of input and output, typically 1e-6; more where the rounding of depths or normals of no surface decide.
    MS_INVALID_ARGUMENT: a pointer, size, stride, option or kernel out of range. MS_OUT_OF_MEMORY: only without a
    workspace. Nothing is written then. Thesis 5.5, 5.10. */
 MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
@@ -1035,7 +1036,7 @@ typedef struct ms_sss__pass {
     float rounding;       /* twice the relative error of a depth: a fitted plane is off by at most rounding (2 + i)
                              depth at a distance of i pixels */
     float elevation_4[3]; /* K / 4 of one pass */
-    float root_r[3];      /* square root of the reflectance */
+    float root_r[3];      /* square root of the reflectance, bounded */
     float least_sine;     /* bound on sin(theta): 1 + K sin(theta) / 4 is 0 there, or -1 */
     float dz_falloff;     /* square of mm_per_depth, times slope_scale */
     float area_scale;     /* square root of slope_scale / 2; 0: weights of both signs */
@@ -2592,7 +2593,7 @@ static void ms_sss__set_depth(ms_sss__pass *p, const ms_sss__view *v, const ms_s
     p->least_sine = -1;
     for (c = 0; c < 3; ++c) {
         p->elevation_4[c] = k->elevation_axis[c] / 4 * p->slope_scale;
-        p->root_r[c] = k->reflectance[c] > 0 ? sqrtf(k->reflectance[c]) : 0;
+        p->root_r[c] = k->reflectance[c] > 0 ? sqrtf(fminf(k->reflectance[c], 1)) : 0;
         if (p->elevation_4[c] * p->least_sine < -1) p->least_sine = -1 / p->elevation_4[c];
     }
 }
@@ -3589,6 +3590,11 @@ static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options 
     static const char *const name[] = {"ortho_height", "mm_per_unit", "depth_sigma_mm"};
     const float length[] = {o->ortho_height, o->mm_per_unit, o->depth_sigma_mm}, *a = o->pixels_per_mm;
     const int sizes = ms_sss__differ(a[0], 0) + ms_sss__differ(o->fov_degrees, 0) + ms_sss__differ(o->ortho_height, 0);
+    const ms_sss__range ranges[] = {{"flat", (double)o->flat, 0, 1},
+                                    {"center[0]", (double)o->center[0], -1e6, 1e6},
+                                    {"center[1]", (double)o->center[1], -1e6, 1e6},
+                                    {"exact", (double)o->exact, 0, 1},
+                                    {"depth_mode", (double)o->depth_mode, 0, (double)MS_SSS_DEPTH_SCALE}};
     int i;
     if (sizes != 1)
         return MS_SSS__REFUSE(error, "%d of pixels_per_mm, fov_degrees and ortho_height are set; exactly one is needed",
@@ -3600,14 +3606,7 @@ static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options 
     for (i = 0; i < 3; ++i)
         if (ms_sss__differ(length[i], 0) && !ms_sss__positive(length[i]))
             return MS_SSS__REFUSE(error, "%s %g is not positive", name[i], (double)length[i]);
-    {
-        const ms_sss__range ranges[] = {{"flat", (double)o->flat, 0, 1},
-                                        {"center[0]", (double)o->center[0], -1e6, 1e6},
-                                        {"center[1]", (double)o->center[1], -1e6, 1e6},
-                                        {"exact", (double)o->exact, 0, 1},
-                                        {"depth_mode", (double)o->depth_mode, 0, (double)MS_SSS_DEPTH_SCALE}};
-        return ms_sss__check_ranges(ranges, sizeof ranges / sizeof ranges[0], error);
-    }
+    return ms_sss__check_ranges(ranges, sizeof ranges / sizeof ranges[0], error);
 }
 
 static MS_SSS__COLD ms_status ms_sss__check_pyramid(const ms_sss_pyramid *p, int index, ms_error *error)
@@ -3619,7 +3618,7 @@ static MS_SSS__COLD ms_status ms_sss__check_pyramid(const ms_sss_pyramid *p, int
                                  "pyramid %d: radius_mm %g is not positive; ms_sss_pyramid_make fills a pyramid", index,
                                  (double)p->radius_mm);
     for (i = 0; i < sizeof p->weight / sizeof(float); ++i)
-        if (!(weight[i] >= 0 && weight[i] <= 2))
+        if (!(weight[i] >= 0 && weight[i] <= 1))
             return MS_SSS__REFUSE_AT(error, index, "pyramid %d: weight %d is %g; 0 to 1 expected", index, (int)i,
                                      (double)weight[i]);
     return MS_OK;
@@ -5191,7 +5190,8 @@ static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__c
 }
 
 /* Moves the weights of a dense curve onto few taps: offsets from the placement, each weight the integral over the cell
-   that reaches halfway to the neighbors, the last to infinity. range: outermost offset of the quadratic spacing. */
+   that reaches halfway to the neighbors, the last to infinity. range: outermost offset of the quadratic spacing; 0: one
+   cell apart. */
 static void ms_sss__place(const ms_sss_designer *d, const ms_sss__curve *dense, ms_sss_placement placement,
                           double range, int pairs, ms_sss__curve *v)
 {
@@ -5209,7 +5209,7 @@ static void ms_sss__place(const ms_sss_designer *d, const ms_sss__curve *dense, 
     memcpy(v->energy, dense->energy, sizeof v->energy);
     for (n = 1; n <= pairs; ++n) {
         if (placement == MS_SSS_QUADRATIC) {
-            v->offset[n] = range * n * n / ((double)pairs * pairs);
+            v->offset[n] = range > 0 ? range * n * n / ((double)pairs * pairs) : n;
         } else { /* the middle, by energy, of the cell that holds (2n-1)/T to (2n+1)/T */
             double want = total * 2 * n / (2 * pairs + 1), below;
             for (i = 0; i < dense->pairs && mass[i] < want; ++i) {}
@@ -5561,21 +5561,23 @@ static void ms_sss__fit_past_kinks(ms_sss__fit *fit, int sweeps, ms_sss__curve *
     ms_sss__fit_run(fit, best, 30);
 }
 
-/* Fits taps over few bins from several starts, which differ in how far out they reach, then the best over all bins. */
+/* Fits taps over few bins from several starts, which differ in how far out they reach, then the best over all bins.
+   Pairs beyond one a pixel would be idle, and fits get stuck along idle unknowns. */
 static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve *dense, const ms_sss__curve *model,
                                   double dial, int pairs, int no_delta, ms_sss__curve *best)
 {
-    static const double reach[] = {0.25, 0.4, 0.6, 0.85};
+    static const double reach[] = {0, 0.25, 0.4, 0.6, 0.85}; /* 0: a tap a pixel */
     ms_sss__curve *v;
     ms_sss__fit *fit;
     double least = HUGE_VAL, objective;
     int n, c;
+    pairs = pairs < d->cells ? pairs : d->cells;
     ms_sss__place(d, dense, MS_SSS_QUANTILE, 0, pairs, best);
     fit = ms_sss__fit_create(d, model, dial, best, !no_delta, 1);
     if (fit == NULL) return MS_OUT_OF_MEMORY;
     v = &fit->hop;
-    for (n = 0; n < 5; ++n) {
-        ms_sss__place(d, dense, n < 4 ? MS_SSS_QUADRATIC : MS_SSS_QUANTILE, n < 4 ? reach[n] * d->cells : 0, pairs, v);
+    for (n = 2 * pairs < d->cells; n < 6; ++n) {
+        ms_sss__place(d, dense, n < 5 ? MS_SSS_QUADRATIC : MS_SSS_QUANTILE, n < 5 ? reach[n] * d->cells : 0, pairs, v);
         for (c = 0; c < 3 && !no_delta; ++c) v->delta[c] = 0.03;
         ms_sss__curve_normalize(v);
         objective = ms_sss__fit_run(fit, v, 8);
@@ -5652,16 +5654,14 @@ static MS_SSS__COLD void ms_sss__store_kernel(const ms_sss_designer *d, const ms
 static MS_SSS__COLD ms_status ms_sss__check_kernel_options(const ms_sss_kernel_options *o, ms_error *error)
 {
     const int dense = o->tap_count == MS_SSS_DENSE, most = o->placement == MS_SSS_OPTIMIZED ? 33 : MS_SSS_TAPS_MAX;
-    ms_status status;
-    {
-        const ms_sss__range ranges[] = {{"model", (double)o->model, 0, (double)MS_SSS_SLICE},
-                                        {"placement", (double)o->placement, 0, (double)MS_SSS_QUADRATIC},
-                                        {"term_count", (double)o->term_count, 1, MS_SSS_TERMS_MAX},
-                                        {"dial", o->dial, 0, 1},
-                                        {"guide_k", o->guide_k, 0, 4},
-                                        {"index", o->index, 1, 2}};
-        if ((status = ms_sss__check_ranges(ranges, sizeof ranges / sizeof ranges[0], error)) != MS_OK) return status;
-    }
+    const ms_sss__range ranges[] = {{"model", (double)o->model, 0, (double)MS_SSS_SLICE},
+                                    {"placement", (double)o->placement, 0, (double)MS_SSS_QUADRATIC},
+                                    {"term_count", (double)o->term_count, 1, MS_SSS_TERMS_MAX},
+                                    {"dial", o->dial, 0, 1},
+                                    {"guide_k", o->guide_k, 0, 4},
+                                    {"index", o->index, 1, 2}};
+    const ms_status status = ms_sss__check_ranges(ranges, sizeof ranges / sizeof ranges[0], error);
+    if (status != MS_OK) return status;
     if (dense && o->model == MS_SSS_IMAGE_OPTIMAL)
         return MS_SSS__REFUSE(error, "tap_count is MS_SSS_DENSE; 3 to 33 expected for an image-optimal kernel");
     if (!dense && (o->tap_count < 3 || o->tap_count > most || o->tap_count % 2 == 0))

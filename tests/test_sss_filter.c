@@ -689,6 +689,49 @@ static void case_constant_models(void)
     TEST_NOTE("largest relative change %.1e", worst);
 }
 
+/* A profile in units of its own, whose total is above 1: a constant on a plane stays one, by slopes, too. The bound
+   that the reflectance sets halved it at a total of 4. */
+static void case_bright_profiles(void)
+{
+    enum { SIDE = 40 };
+    static const double total[] = {0.3, 1, 1.2, 4, 1e9}, d_mm[3] = {1.2, 0.5, 0.3};
+    static ms_sss_pyramid pyramid;
+    float *out[3] = {test_floats(SIDE * SIDE), test_floats(SIDE * SIDE), test_floats(SIDE * SIDE)};
+    test_scene s = test_scene_make(SIDE, SIDE, test_seed);
+    double worst = 0;
+    int i, n, c, by_pyramid;
+    for (i = 0; i < SIDE * SIDE; ++i) {
+        s.depth[i] = 100;
+        for (c = 0; c < 3; ++c) s.rgb[c][i] = 0.7f;
+    }
+    for (n = 0; n < 5; ++n) {
+        const double reflectance[3] = {total[n], total[(n + 1) % 5], total[(n + 2) % 5]};
+        ms_sss_kernel k;
+        ms_sss_profile *p;
+        CHECK_INT(ms_sss_profile_from_burley(&p, reflectance, d_mm, NULL, NULL), MS_OK);
+        CHECK_INT(ms_sss_kernel_make(&k, NULL, p, 8, NULL, NULL, NULL), MS_OK);
+        CHECK_INT(ms_sss_pyramid_make(&pyramid, p, NULL), MS_OK);
+        for (by_pyramid = 0; by_pyramid < 2; ++by_pyramid) {
+            ms_sss_filter_options o = ms_sss_filter_defaults();
+            ms_sss_frame f = test_frame(&s, WITH_DEPTH, out);
+            o.ortho_height = SIDE / 2;
+            o.mm_per_unit = 1;
+            if (by_pyramid) CHECK_INT(ms_sss_pyramid_filter(&f, &pyramid, 1, &o, NULL, 0, NULL), MS_OK);
+            else CHECK_INT(ms_sss_filter(&f, &k, 1, &o, NULL, 0, NULL), MS_OK);
+            for (c = 0; c < 3; ++c)
+                for (i = 0; i < SIDE * SIDE; ++i) {
+                    const double e = fabs((double)out[c][i] / (double)0.7f - 1);
+                    if (!(e <= worst)) worst = e;
+                }
+        }
+        ms_sss_profile_destroy(p);
+    }
+    for (c = 0; c < 3; ++c) free(out[c]);
+    test_scene_free(&s);
+    CHECK_LE(worst, 1e-6); /* as stated of planes */
+    TEST_NOTE("largest relative change %.1e", worst);
+}
+
 static void case_depth_edge(void)
 {
     test_scene s = test_scene_make(90, 70, test_seed);
@@ -1913,6 +1956,7 @@ static const test_case cases[] = {
     {"radii", case_radii},
     {"a constant stays constant", case_constant},
     {"constants under every model", case_constant_models},
+    {"profiles of more than 1", case_bright_profiles},
     {"nothing crosses a depth edge", case_depth_edge},
     {"radius under half a pixel", case_small_radius},
     {"hostile pixels", case_hostile},

@@ -1172,6 +1172,55 @@ static void idle_unknowns(void)
     TEST_NOTE("weights up to %.2f", most);
 }
 
+/* More taps than a small radius has pixels: fits got stuck along the idle ones, up to 8% above those of fewer taps. A
+   local minimum may still lie by a twentieth and 0.7% above another count's, rarely (24 of 2,400 by more than a twentieth
+   and 0.01%, by up to 0.46%). */
+static void more_taps(void)
+{
+    static const int taps[] = {3, 5, 7, 9, 13, 17, 33};
+    static ms_sss_kernel k;
+    uint64_t seed = test_seed;
+    int n, i, c, above = 0, cases = test_full ? 400 : 40;
+    double worst = 0;
+    for (n = 0; n < cases; ++n) {
+        const double radius = 0.5 * pow(16, test_uniform(&seed));
+        ms_sss_kernel_options o = ms_sss_kernel_defaults();
+        double reflectance[3], length[3][3], weight[3][3], least = HUGE_VAL;
+        ms_sss_profile *p;
+        ms_sss_designer *d;
+        for (c = 0; c < 3; ++c) {
+            reflectance[c] = 0.05 + 0.9 * test_uniform(&seed);
+            for (i = 0; i < 3; ++i) {
+                length[i][c] = 0.1 * pow(100, test_uniform(&seed));
+                weight[i][c] = reflectance[c] * test_uniform(&seed);
+            }
+        }
+        if (n % 2) CHECK_INT(ms_sss_profile_from_burley(&p, reflectance, length[0], NULL, NULL), MS_OK);
+        else
+            CHECK_INT(ms_sss_profile_from_gaussians(&p, 1 + n / 2 % 3, (const double(*)[3])length,
+                                                    (const double(*)[3])weight, NULL, NULL),
+                      MS_OK);
+        d = designer_for(p, radius);
+        o.no_delta = n % 5 == 0;
+        o.model = n % 8 == 7 ? MS_SSS_SVD_NORMALIZED : MS_SSS_IMAGE_OPTIMAL;
+        o.term_count = n % 8 == 7 ? 2 : 1;
+        for (i = 0; i < 7; ++i) {
+            ms_sss_errors e;
+            o.tap_count = taps[i];
+            e = built(&k, d, &o);
+            CHECK(k.tap_count <= taps[i] && (k.tap_count == taps[i] || k.tap_count / 2 >= radius - 0.51));
+            worst = fmax(worst, e.texture - 1.05 * least);
+            above += e.texture > 1.05 * least + 1e-4;
+            least = fmin(least, e.texture);
+        }
+        ms_sss_designer_destroy(d);
+        ms_sss_profile_destroy(p);
+    }
+    CHECK_LE(worst, 7e-3);
+    CHECK_LE((double)above, 0.2 * cases); /* of 6 times as many kernels; 300 were, of 400 cases */
+    TEST_NOTE("%d of %d above, by up to %.2f%%", above, 6 * cases, 100 * worst);
+}
+
 static void radii(void)
 {
     static const double radius[] = {0.01, 0.5, 1, 3.3, 128, 1e4, 1e9};
@@ -1566,6 +1615,7 @@ int main(int argc, char **argv)
                                       {"every model", every_model},
                                       {"no gain", no_gain},
                                       {"idle unknowns", idle_unknowns},
+                                      {"more taps", more_taps},
                                       {"radii", radii},
                                       {"the dial", dial},
                                       {"cheapest", cheapest},

@@ -284,8 +284,9 @@ static int run(const settings *s, job *j)
     options.mm_per_unit = (float)s->mm_per_unit;
     size = way == TAPS ? ms_sss_filter_workspace(frame.width, frame.height, &kernel, 1, &options)
                        : ms_sss_pyramid_workspace(frame.width, frame.height);
-    j->workspace = malloc(size);
-    if (j->output.pixels == NULL || j->workspace == NULL) return fail(1, s->path[2], "out of memory");
+    j->workspace = size < SIZE_MAX ? malloc(size) : NULL; /* sides beyond the filters' range, which they name */
+    if (j->output.pixels == NULL || (j->workspace == NULL && size < SIZE_MAX))
+        return fail(1, s->path[2], "out of memory");
     memset(&back, 0, sizeof back);
     if (s->back[0]) {
         back.input = ms_sss_interleaved(j->back[0].pixels, 3);
