@@ -580,8 +580,10 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
      pyramid           of each profile: BASE; SHRINK of levels 0 to n - 2; GATHER of levels n - 2 to 1; RESOLVE
      texture space     the same over a light map, with options.pixels_per_mm
    n is ms_sss_shader_levels. Texels that a pixel reads with 7 taps in X and Y: 26 of color, and 13 of depth, profile
-   and strength each; for slopes 12 more of depth, or 2 of normals; rotated axes: twice as many. Half resolution: 2 and
-   11, and a quarter of X and Y. A pyramid: 73 in all, more on slopes. */
+   and strength each; for slopes 12 more of depth, or 2 of normals; rotated axes: twice as many. Half resolution: 2, 11
+   and for slopes 8 or a normal, and a quarter of X and Y. A pyramid: 73 in all, more on slopes.
+   Half resolution is for radii from 16 pixels on: as near to random walks, and taps show less beside thin strips of
+   light. */
 typedef enum ms_sss_step {
     MS_SSS_STEP_X = 0,
     MS_SSS_STEP_Y = 1,

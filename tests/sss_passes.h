@@ -30,7 +30,6 @@ static int sss_passes(const float *light, const float *depth, int width, int hei
     sss_text about;
     int i, k, good = 1;
     memset(&about, 0, sizeof about);
-    about.perspective = options->fov_degrees > 0;
     about.flat = options->flat >= 1;
     shader.tap_count = kernel->tap_count;
     shader.half_resolution = half;

@@ -21,7 +21,7 @@
 //     MS_SSS_SLOPES       1        from depth; 2: from normals; 0: no slopes and elevation, where options.flat is 1
 //     MS_SSS_STRENGTH     0        1: with strength
 //     MS_SSS_ROTATED      0        1: rotation or jitter of ms_sss_shader
-//     MS_SSS_HALF         0        1: X and Y lie between DOWN and UP
+//     MS_SSS_HALF         0        1: X and Y lie between DOWN and UP; for kernels from a radius of 16 pixels on
 //     MS_SSS_HLSL, MS_SSS_VULKAN   defined: the language, where it is not the GLSL of OpenGL (MS_SSS_WGSL: by sss_wgsl.c)
 //
 // The engine defines those of these functions that a step reads; p is the pixel plus the viewport's corner:
@@ -30,7 +30,7 @@
 //     float ms_sss_fetch_depth(int2 p)      along the view axis; not > 0: masked                X, DOWN, UP
 //     int ms_sss_fetch_profile(int2 p)      index of the kernel; without one: masked            X, DOWN, UP
 //     float ms_sss_fetch_strength(int2 p)   0 to 1; 0: masked                                   X, Y, DOWN, UP
-//     float3 ms_sss_fetch_normal(int2 p)    in view space: x right, y down, z to the camera     X, Y
+//     float3 ms_sss_fetch_normal(int2 p)    in view space: x right, y down, z to the camera     X, Y, UP
 //
 // BASE and the disc read what X reads, RESOLVE color and strength. At half resolution X and Y read DOWN's target in their
 // place. Without depth the second returns 1.0, with MS_SSS_SLOPES 0. Depth of 16-bit floats also wants MS_SSS_SLOPES 0:
@@ -107,7 +107,7 @@
 #define HALVED (PASS && MS_SSS_HALF > 0)
 // RAW: it reads the engine's textures and masks their pixels, where others read the target of a step.
 #define RAW (BASE || DOWN || UP || DISC || (MS_SSS_STEP == 0 && !HALVED))
-#define SLOPES (MS_SSS_SLOPES > 0 && (PASS || BASE || DISC))
+#define SLOPES (MS_SSS_SLOPES > 0 && (PASS || UP || BASE || DISC))
 #define NORMALS (MS_SSS_SLOPES == 2 && SLOPES && !HALVED)
 #define PACKED (MS_SSS_PROFILES > 0 && !PYRAMID)
 
@@ -329,6 +329,12 @@ float2 slopes_of(int2 p, float4 own, float radius_mm) {
 #endif
 }
 
+// How much shorter than a mm that faces the camera a mm along an axis of the tangent plane is in the picture.
+float shortened(float2 axis, float slope, float2 ray) {
+    float2 across = axis + slope * ray;
+    return 1.0 / sqrt(dot(across, across) + slope * slope);
+}
+
 // ---- kernels ---------------------------------------------------------------------------------------------------------
 
 int kernel_of(float4 own) { return HEAD + STRIDE * profile_of(own); }
@@ -393,9 +399,8 @@ float4 filter_pixel(int2 p) {
 
 #if UP
 // The weight of a pixel's own light in its result: DELTA, and of each term the product of what the taps along x and
-// along y take from the pixel itself by linear interpolation.
-float3 self_weight(float depth, int at) {
-    float2 pixels = pixels_at(depth, at);
+// along y take from the pixel itself by linear interpolation. pixels: of a mm.
+float3 self_weight(float2 pixels, int at) {
     float3 share = DELTA(at);
     for (int t = 0; t < MS_SSS_TERMS; t++) {
         int block = at + t * KERNELS * STRIDE;
@@ -413,14 +418,17 @@ float3 self_weight(float depth, int at) {
 }
 
 // out = s own + (1 - s) rest, s the self weight at full resolution. The rest is that of the four larger pixels around,
-// each solved from after = s' before + (1 - s') rest with its own s', interpolated (0.8, 0.2) where depths are near.
+// each solved from after = s' before + (1 - s') rest with its own s', interpolated (3/4, 1/4) where depths are near.
 float4 filter_pixel(int2 pixel) {
     int2 p = pixel - origin();
     float4 own = texel(p);
     float3 light = ms_sss_fetch_color(pixel);
     if (!(own.a > 0.0)) { return float4(light, 1.0); }
     int at = kernel_of(own);
-    float3 share = self_weight(own.a, at);
+    float2 ray = ray_of(p);
+    float2 slopes = slopes_of(p, own, RADIUS_MM(at));
+    float2 tilt = float2(shortened(float2(1.0, 0.0), slopes.x, ray), shortened(float2(0.0, 1.0), slopes.y, ray));
+    float3 share = self_weight(tilt * pixels_at(own.a, at), at);
     float3 rest = zero3;
     float weight = 0.0;
     for (int i = 0; i < 4; i++) {
@@ -431,7 +439,8 @@ float4 filter_pixel(int2 pixel) {
         if (!(f > 0.0)) { continue; }
         float3 after = fetch_sum(q).rgb;
         float3 least = min(min(there.rgb, after), zero3);
-        rest = rest + f * max(there.rgb + (after - there.rgb) / (1.0 - self_weight(there.a, at)), least);
+        float3 other = 1.0 - self_weight(tilt * pixels_at(there.a, at), at);
+        rest = rest + f * max(there.rgb + (after - there.rgb) / other, least);
         weight = weight + f;
     }
     bool wide = radius_of(pixels_at(own.a, at), at) > 0.5;
@@ -490,12 +499,9 @@ float4 filter_pixel(int2 pixel) {
 #endif
     float2 plane = zero2; // the tangent plane's depth a column and a row; perspective: times that of the texel there
 #if SLOPES
-    // A mm along the plane has the picture of 1 / |(axis + slope ray, slope)| mm that face the camera.
     float2 ray = ray_of(p);
     float2 slopes = slopes_of(p, own, RADIUS_MM(at));
-    float slope = dot(axis, slopes);
-    float2 across = axis + slope * ray;
-    pixels = pixels / sqrt(dot(across, across) + slope * slope);
+    pixels = pixels * shortened(axis, dot(axis, slopes), ray);
     plane = slopes * side() / focal();
     float mm = MM_PER_UNIT / DEPTH_SCALE(at); // of a unit of dz
     float facing = mm / area_of(slopes, ray);

@@ -108,6 +108,12 @@ fn slopes_of(p: vec2<i32>, own: vec4<f32>, radius_mm: f32) -> vec2<f32> {
     return ms_sss.v[2].z * vec2<f32>(along_x, along_y);
 }
 
+// How much shorter than a mm that faces the camera a mm along an axis of the tangent plane is in the picture.
+fn shortened(axis: vec2<f32>, slope: f32, ray: vec2<f32>) -> f32 {
+    var across: vec2<f32> = axis + slope * ray;
+    return 1.0 / sqrt(dot(across, across) + slope * slope);
+}
+
 // ---- kernels ---------------------------------------------------------------------------------------------------------
 
 fn kernel_of(own: vec4<f32>) -> i32 { return 4 + 9 * profile_of(own); }
@@ -165,12 +171,9 @@ fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
     var wide: bool = radius > 0.5;
     var axis: vec2<f32> = select(vec2<f32>(1.0, 0.0), vec2<f32>(0.0, 1.0), false);
     var plane: vec2<f32> = vec2<f32>(0.0, 0.0); // the tangent plane's depth a column and a row; perspective: times that of the texel there
-    // A mm along the plane has the picture of 1 / |(axis + slope ray, slope)| mm that face the camera.
     var ray: vec2<f32> = ray_of(p);
     var slopes: vec2<f32> = slopes_of(p, own, ms_sss.v[at].w);
-    var slope: f32 = dot(axis, slopes);
-    var across: vec2<f32> = axis + slope * ray;
-    pixels = pixels / sqrt(dot(across, across) + slope * slope);
+    pixels = pixels * shortened(axis, dot(axis, slopes), ray);
     plane = slopes * side() / focal();
     var mm: f32 = ms_sss.v[2].x / ms_sss.v[at + 1].w; // of a unit of dz
     var facing: f32 = mm / area_of(slopes, ray);
