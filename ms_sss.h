@@ -5578,7 +5578,7 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
     fit = ms_sss__fit_create(d, model, dial, best, !no_delta, 1);
     if (fit == NULL) return MS_OUT_OF_MEMORY;
     v = &fit->hop;
-    for (n = 2 * pairs < d->cells; n < 6; ++n) {
+    for (n = 2 * pairs < d->cells ? 1 : 0; n < 6; ++n) { /* a tap a pixel where that reaches half of the radius */
         ms_sss__place(d, dense, n < 5 ? MS_SSS_QUADRATIC : MS_SSS_QUANTILE, n < 5 ? reach[n] * d->cells : 0, pairs, v);
         for (c = 0; c < 3 && !no_delta; ++c) v->delta[c] = 0.03;
         ms_sss__curve_normalize(v);
