@@ -3623,6 +3623,9 @@ static MS_SSS__COLD ms_status ms_sss__check_pyramid(const ms_sss_pyramid *p, int
         if (!(weight[i] >= 0 && weight[i] <= 1))
             return MS_SSS__REFUSE_AT(error, index, "pyramid %d: weight %d is %g; 0 to 1 expected", index, (int)i,
                                      (double)weight[i]);
+    for (i = 0; i < 3; ++i)
+        if (!(fabsf(p->elevation[i]) <= 1e6f))
+            return MS_SSS__REFUSE_AT(error, index, "pyramid %d: elevation[%d] is beyond 1e6", index, (int)i);
     return MS_OK;
 }
 

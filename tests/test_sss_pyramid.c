@@ -763,7 +763,7 @@ static void case_refused(void)
     const ms_sss_pyramid pyramid = skin_pyramid();
     int i, c;
     make_scene();
-    for (i = 2; i < 11; ++i) {
+    for (i = 2; i < 12; ++i) {
         ms_sss_filter_options o = ms_sss_filter_defaults();
         ms_sss_frame f = scene_frame(out, 1, 0);
         size_t size = ms_sss_pyramid_workspace(W, H);
@@ -782,6 +782,7 @@ static void case_refused(void)
         if (i == 8) two[0].weight[1][20][3][1][2] = NAN;
         if (i == 9) two[0].weight[0][0][0][0][0] = -1;
         if (i == 10) two[0].weight[0][0][0][0][0] = 1.01f; /* beyond what the message says */
+        if (i == 11) two[0].elevation[1] = NAN;
         for (j = 0; j < W * H; ++j) profile[j] = (uint8_t)(j % 2);
         f.profile = count == 2 ? profile : NULL;
         for (c = 0; c < 3; ++c)

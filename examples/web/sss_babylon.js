@@ -1,4 +1,4 @@
-// sources 3442811880
+// sources 1960191359
 (() => {
 const SHADER = `
 // Subsurface scattering in screen space: the passes X and Y, half resolution, and light through thin parts.

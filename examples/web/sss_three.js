@@ -1,4 +1,4 @@
-// sources 2272503370
+// sources 840917741
 // Separable subsurface scattering for three.js, by ms_sss.h. `make web` writes this file: examples/web/sss_three.part.js and
 // sss_core.part.js, examples/engine/shader/ms_sss.glsl (SHADER), and the header in WebAssembly (BINARY).
 //
