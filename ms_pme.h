@@ -195,7 +195,7 @@ typedef struct ms_pme_function {
     ms_status (*residuals)(void *user, const double *x, double *r, double *jacobian);
     int residuals_only;          /* non-zero: `residuals` fills no Jacobian; n forward differences take its place, of
                                     steps for double precision (a match: 1e-3 of the range, for pictures of floats) */
-    double jacobian_cost;        /* cost of a call with a Jacobian, in evaluations, 0.001 at least; 0: 1 + n / 4 */
+    double jacobian_cost;        /* cost of a call with a Jacobian, in evaluations, 1 at least; 0: 1 + n / 4 */
     const double *lower, *upper; /* [n]; NULL: no bound on that side; infinities allowed */
 } ms_pme_function;
 #define MS_PME_PARAMETERS_MAX 256
@@ -250,7 +250,7 @@ typedef struct ms_pme_renderer {
     ms_status (*render)(void *user, const double *x, float *image);
     /* Optional: image and d image_i / d x_j as [p][n]. Floats: for ranges of 1e-30 to 1e30. */
     ms_status (*jacobian)(void *user, const double *x, float *image, float *jacobian);
-    double jacobian_cost; /* in renders; 0: 1 + n / 4 */
+    double jacobian_cost; /* in renders, 1 at least; 0: 1 + n / 4 */
     /* Optional: inversion network i of prediction_count, target [p] -> x [n]; values outside the box are clipped. */
     int prediction_count;
     ms_status (*predict)(void *user, int i, const float *target, double *x);
@@ -1017,7 +1017,7 @@ static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function
         run->high[j] = high;
     }
     run->tolerance = options->tolerance > 0 ? options->tolerance : 1e-10;
-    run->derivatives_cost = function->jacobian_cost > 0 ? ms_pme__max(function->jacobian_cost, 1e-3) : 1 + 0.25 * n;
+    run->derivatives_cost = function->jacobian_cost > 0 ? ms_pme__max(function->jacobian_cost, 1) : 1 + 0.25 * n;
     if (function->residuals_only) run->derivatives_cost = n;
     run->max_cost = o != NULL ? ms_pme__max(50, 8 * (1 + run->derivatives_cost))
                               : ms_pme__max(1000, 20 * (1 + run->derivatives_cost));

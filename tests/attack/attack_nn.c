@@ -694,8 +694,8 @@ static void family_collapse(void)
                 theirs += (double)weight[i] * ((double)y[i] - (double)t[i]) * s;
                 steep += (double)weight[i] * s * s;
             }
-            if (!(fabs(ours - theirs) <=
-                  1e-4 * sqrt(fmax(steep, kept)) * (sqrt(wanted) + sqrt(size)) + sqrt(steep) * doubt))
+            if (!(fabs(ours - theirs) <= 1e-4 * sqrt(fmax(steep, kept)) * (sqrt(wanted) + sqrt(size)) +
+                      (sqrt(steep) + sqrt(wanted)) * doubt)) /* a slope is as uncertain as an output of inputs to 1 */
                 attack_fail("a gradient of %.9g, that of the outputs is %.9g", ours, theirs);
         }
         free(residual);

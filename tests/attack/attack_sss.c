@@ -500,9 +500,16 @@ static void filter(int by_pyramid)
                         }
         }
         /* Another level of instructions. Over normals of no surface the last two bits of one depth, in the case that was
-           looked at, count for 3e-5: three times that. Taps with weights of both signs reach 7e-6 there. */
+           looked at, count for 3e-5: three times that. Taps with weights of both signs reach 7e-6 there. Where weights
+           by depth fall within few roundings of the depths, these decide. */
         if (!attack->failed) {
-            const double close = k.frame.normal.channel[0] ? 1e-4 : 4e-6;
+            double close = k.frame.normal.channel[0] ? 1e-4 : 4e-6, deepest = 0;
+            for (y = 0; y < h && with_depth; ++y)
+                for (x = 0; x < w; ++x)
+                    if (finite_float(*at(&depth, x, y, 0))) deepest = fmax(deepest, (double)*at(&depth, x, y, 0));
+            if (o.depth_sigma_mm > 0)
+                close += 4 * deepest / 8388608 * (o.mm_per_unit > 0 ? (double)o.mm_per_unit : 1) /
+                    (3.0746 * (double)o.depth_sigma_mm);
             other = o;
             other.simd = MS_SIMD_SCALAR;
             k.frame.output = again.image;
