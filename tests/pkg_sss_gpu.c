@@ -849,14 +849,13 @@ static GLuint plain_program(const char *shader)
     return gpu_program(GPU_GLSL_330, 0, "ms_sss", &constants[0][0], (int)(sizeof constants / sizeof constants[0]));
 }
 
-/* Largest difference between the two in one case. */
-static double gl_compare(one_case *t)
+/* Draws a case, whose input make_reference made. */
+static void gl_draw(one_case *t)
 {
     const ms_sss_shader *s = &t->shader;
     one_step step[STEPS];
     GLuint texture[TEXTURES] = {0};
     int i, n = plan_steps(t, step);
-    make_reference(t);
     texture[COLOR] = gl_texture(COLOR, GL_RGBA32F, WIDTH, HEIGHT, input);
     texture[DEPTH] = gl_texture(DEPTH, GL_R32F, WIDTH, HEIGHT, depth);
     texture[STRENGTH] = gl_texture(STRENGTH, GL_R32F, WIDTH, HEIGHT, strength_of);
@@ -880,6 +879,13 @@ static double gl_compare(one_case *t)
     gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
     gl_ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_FLOAT, drawn);
     gl_DeleteTextures(TEXTURES, texture);
+}
+
+/* Largest difference between the two in one case. */
+static double gl_compare(one_case *t)
+{
+    make_reference(t);
+    gl_draw(t);
     return difference();
 }
 
@@ -911,6 +917,38 @@ static void compare_all(gl_api which, int language, int method, int count)
     }
     TEST_NOTE("%s: largest difference %.1e, with slopes, turned axes or two numbers in one %.1e",
               (const char *)gl_GetString(GL_RENDERER), worst, worst_wider);
+}
+
+/* What is squared of light must neither overflow nor vanish: light of 2^66 and 2^-40 times gives as much more or less. */
+static void case_scales(void)
+{
+    static const double scale[2] = {7.378697629483821e19, 9.094947017729282e-13};
+    static float usual[4 * PIXELS];
+    double worst[2] = {0, 0};
+    int k, i, j;
+    if (!gl_open(GL_API_33)) SKIP("no OpenGL 3.3 context without a window");
+    make_picture();
+    for (i = 0; i < 12; ++i) {
+        one_case t;
+        if (i % 3 == 0) make_case(&t, i, SSS_GLSL_330, 3);
+        if (i % 3 == 1) make_half_case(&t, i, SSS_GLSL_330, 3);
+        if (i % 3 == 2) make_tower_case(&t, i, SSS_GLSL_330);
+        make_reference(&t);
+        gl_draw(&t);
+        memcpy(usual, drawn, sizeof usual);
+        for (k = 0; k < 2; ++k) {
+            const double from = k ? scale[0] : 1;
+            for (j = 0; j < 4 * PIXELS; ++j)
+                if (j % 4 < 3) input[j] = (float)((double)input[j] / from * scale[k]);
+            gl_draw(&t);
+            for (j = 0; j < 4 * PIXELS; ++j) {
+                const double e = fabs((double)drawn[j] / scale[k] - (double)usual[j]);
+                if (j % 4 < 3 && isfinite(light[j])) worst[k] = e <= worst[k] ? worst[k] : e == e ? e : HUGE_VAL;
+            }
+            if (!(worst[k] < 1e-5)) TEST_FAIL("light times %g, case %d: %g", scale[k], i, worst[k]);
+        }
+    }
+    TEST_NOTE("largest difference, in this unit, %.1e and %.1e", worst[0], worst[1]);
 }
 
 static void case_desktop(void) { compare_all(GL_API_33, SSS_GLSL_330, FULL, test_full ? 360 : 36); }
@@ -1806,6 +1844,7 @@ static const test_case cases[] = {
     {"OpenGL 3.3 against the CPU", case_desktop},
     {"OpenGL ES 3.0 against the CPU", case_es},
     {"sixteen materials in one pass", case_sixteen},
+    {"very bright and very dark light", case_scales},
     {"half resolution against the CPU", case_half_resolution},
     {"half resolution, OpenGL ES 3.0", case_half_es},
     {"half resolution, Vulkan GLSL", case_half_vulkan},

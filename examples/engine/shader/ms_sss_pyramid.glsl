@@ -131,7 +131,8 @@ float3 weight_at(float size, int table) {
 // light times the mean of (1 + K / 4 sin theta)^4, of a sine of mean m = moment / light and mean square s:
 // u^2 (u^2 + 6 (K / 4)^2 (s - m^2)) with u = 1 + K / 4 m, the terms up to the variance. of m, grain may be rounding.
 float3 raise(float3 light, float3 moment, float square, float grain) {
-    float3 mean = moment * light / max(light * light, 1e-30 * one3);
+    float3 size = max(abs(light), 1e-30 * one3);
+    float3 mean = moment / size * (light / size);
     mean = clamp(mean - clamp(mean, -grain * one3, grain * one3), -one3, one3);
     float3 u = max(1.0 + K_4 * mean, zero3);
     float3 spread = max(square - (grain * grain + mean * mean), zero3);
